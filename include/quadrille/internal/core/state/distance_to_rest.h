@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/surface/box_tree.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/quadric_form.h>
 

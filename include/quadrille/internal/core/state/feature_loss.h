@@ -5,7 +5,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/state/contraction.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/quadric_form.h>

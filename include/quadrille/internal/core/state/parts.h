@@ -8,7 +8,7 @@
 #include <quadrille/internal/core/state/distance_to_rest.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/box_tree.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/quadric_form.h>

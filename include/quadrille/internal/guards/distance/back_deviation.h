@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/guards/distance/face_of_star.h>
 #include <quadrille/internal/guards/distance/old_part_of_star.h>
 #include <quadrille/internal/guards/distance/star_deviation.h>
@@ -73,7 +73,7 @@ public:
         if (const auto beyond = compare_sheet(deviation.sheets()[i], is_too_far))
           return *beyond;
     for (std::size_t i = 0; i < images_.size(); ++i) {
-      if (images_[i].is_in_pieces)
+      if (images_[i].is_in_polygons)
         continue;
       look_at_one(i);
       look_everywhere(i, is_too_far);
@@ -102,7 +102,7 @@ private:
     double distance;   // by how far they go if they all go to one face
     std::size_t to;    // that face, in the order of the star
     bool is_looked_at; // is that known?
-    bool is_in_pieces; // they go to several
+    bool is_in_polygons; // they go to several
   };
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
@@ -209,7 +209,7 @@ private:
         part_.find_no_strips();
       else
         part_.find_strips<BorderStrips::Side::of_old>();
-      return measure_part(&deviation_->pieces(), is_too_far);
+      return measure_part(&deviation_->polygons(), is_too_far);
     }
     rest_.assign(sheet.begin(), sheet.end());
     while (!rest_.empty()) {
@@ -229,11 +229,11 @@ private:
   }
 
   template <class IsTooFar>
-  std::optional<double> measure_part(const PieceTable* table, IsTooFar is_too_far) {
+  std::optional<double> measure_part(const PolygonTable* table, IsTooFar is_too_far) {
     if (table && !table->is_kept())
       table = nullptr;
     part_.find_new_faces();
-    const bool is_known = table && part_.has_all_pieces(*table);
+    const bool is_known = table && part_.has_all_polygons(*table);
     for (const FaceOfStar* f : part_) {
       const std::size_t i = index_of(*f);
       if (!is_known)
@@ -241,9 +241,9 @@ private:
       if (!(images_[i].distance > 0))
         continue; // all of it is in the face that it becomes
       cut(*f, i, table, is_too_far);
-      if (!images_[i].is_in_pieces)
+      if (!images_[i].is_in_polygons)
         continue;
-      for (const auto& [to, distance] : pieces_) {
+      for (const auto& [to, distance] : polygons_) {
         const double bound = bound_by(distance, i);
         if (bound > greatest_ && is_too_far(bound))
           return bound;
@@ -256,22 +256,22 @@ private:
   // Measures by polygons, unless all points move less far to one face. That is checked if it
   // matters: if polygons are too far, or if they are very small, which may be pure rounding.
   template <class IsTooFar>
-  void cut(const FaceOfStar& f, std::size_t i, const PieceTable* table, IsTooFar is_too_far) {
-    pieces_.clear();
+  void cut(const FaceOfStar& f, std::size_t i, const PolygonTable* table, IsTooFar is_too_far) {
+    polygons_.clear();
     double most = 0;
     Image& image = images_[i];
-    image.is_in_pieces =
+    image.is_in_polygons =
         part_.measure_old(f, image.distance, table, [&](const FaceOfStar& now, double distance) {
-          pieces_.push_back({first_changed_ + index_of(now), distance});
+          polygons_.push_back({first_changed_ + index_of(now), distance});
           most = (std::max)(most, distance);
         });
-    if (!image.is_in_pieces || image.is_looked_at)
+    if (!image.is_in_polygons || image.is_looked_at)
       return;
     const double bound = bound_by(most, i);
     if (most > 16 * deviation_->rounding() && !(bound > greatest_ && is_too_far(bound)))
       return;
     look_at_one(i);
-    image.is_in_pieces = most < image.distance;
+    image.is_in_polygons = most < image.distance;
   }
 
   std::size_t index_of(const FaceOfStar& face) const {
@@ -314,7 +314,7 @@ private:
   bool is_closed_ = false;
   OldPartOfStar part_;            // of a sheet, that is compared now
   std::vector<FaceOfStar*> rest_; // of it, for later
-  std::vector<std::pair<std::size_t, double>> pieces_;
+  std::vector<std::pair<std::size_t, double>> polygons_;
   DoubledFacesOfStar doubled_;
 };
 

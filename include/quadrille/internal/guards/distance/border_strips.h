@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_GUARDS_DISTANCE_BORDER_STRIPS_H
 
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/guards/distance/face_of_star.h>
 #include <quadrille/quadric_form.h>
 

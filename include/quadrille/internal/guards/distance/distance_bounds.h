@@ -68,7 +68,7 @@ public:
     deviation.take(star, a, b, positions, x,
                    [&](Index face) { return tolerance.length_of(of_face_[face]); });
     if (back_of_face_.size() > 0)
-      deviation.keep_pieces();
+      deviation.keep_polygons();
     const auto bound = [&](double distance) {
       return static_cast<double>(rounded_up(distance + deviation.rounding()));
     };

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_GUARDS_DISTANCE_FACE_OF_STAR_H
 
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/quadric_form.h>
 
 #include <array>

@@ -2,10 +2,10 @@
 #define QUADRILLE_INTERNAL_GUARDS_DISTANCE_OLD_PART_OF_STAR_H
 
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/guards/distance/border_strips.h>
 #include <quadrille/internal/guards/distance/part_of_star.h>
-#include <quadrille/internal/guards/distance/piece_table.h>
+#include <quadrille/internal/guards/distance/polygon_table.h>
 #include <quadrille/quadric_form.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ public:
   }
 
   /// Are the polygons of all its new faces in a table?
-  bool has_all_pieces(const PieceTable& table) const {
+  bool has_all_polygons(const PolygonTable& table) const {
     return std::all_of(faces_.begin(), faces_.end(), [&](const Face* f) {
       return f->is_shared || table.is_complete(index_of(*f));
     });
@@ -54,7 +54,7 @@ public:
   /// the current new face. Returns false if a distance is not less than the known one, or if there
   /// is no new face. Polygons of the whole sheet that are in a table are not cut again.
   template <class Visit>
-  bool measure_old(const Face& face, double known, const PieceTable* table, Visit visit) const {
+  bool measure_old(const Face& face, double known, const PolygonTable* table, Visit visit) const {
     double covered = 0;
     const auto take = [&](const Face* now, double area, double distance) {
       covered += area;
@@ -65,9 +65,10 @@ public:
     };
     const bool is_thin = flat_area(face.flat) < squared_width(face.flat) / 8;
     for (const NewFace& f : new_)
-      if (const auto* piece = is_thin ? nullptr : known_piece(table, *f.face, face)) {
+      if (const auto* polygon = is_thin ? nullptr : known_polygon(table, *f.face, face)) {
         // A height is measured at points of the new face, so it is rounded once more.
-        if (piece->distance >= 0 && !take(f.face, piece->area, piece->distance + rounding(extent_)))
+        if (polygon->distance >= 0 &&
+            !take(f.face, polygon->area, polygon->distance + rounding(extent_)))
           return false;
       } else if (!cut(
                      face, f.now, f.face,
@@ -93,12 +94,12 @@ private:
 
   // None where it has to be cut: over a face that is thin its heights may be off along it, and what
   // is next to nothing has to be looked at.
-  const PieceTable::Piece* known_piece(const PieceTable* table, const Face& now,
-                                       const Face& old) const {
+  const PolygonTable::Polygon* known_polygon(const PolygonTable* table, const Face& now,
+                                             const Face& old) const {
     if (!table || !table->is_complete(index_of(now)))
       return nullptr;
-    const PieceTable::Piece& piece = (*table)(index_of(now), index_of(old));
-    return may_be_noise(piece.distance) ? nullptr : &piece;
+    const PolygonTable::Polygon& polygon = (*table)(index_of(now), index_of(old));
+    return may_be_noise(polygon.distance) ? nullptr : &polygon;
   }
 
   // Finds the polygon of an old face that lies under some of the new ones, if there is one:
@@ -108,18 +109,18 @@ private:
            Take take) const {
     if (lies_beside(face.flat, part))
       return true;
-    FlatPiece piece(face.flat);
-    piece.clip(part, tolerance());
-    if (piece.empty())
+    FlatPolygon polygon(face.flat);
+    polygon.clip(part, tolerance());
+    if (polygon.empty())
       return true;
     double most = 0;
-    for (const FlatPoint& y : piece)
+    for (const FlatPoint& y : polygon)
       most = (std::max)(most, squared(y));
     const double distance = std::sqrt(most);
     if (may_be_noise(distance))
-      if (const Face* nearest = new_face_at(piece))
-        return take(nearest, piece.area(), rounding(extent_));
-    return take(now, piece.area(), distance);
+      if (const Face* nearest = new_face_at(polygon))
+        return take(nearest, polygon.area(), rounding(extent_));
+    return take(now, polygon.area(), distance);
   }
 
   // Returns the squared length of the longest edge, in the plane.
@@ -133,10 +134,10 @@ private:
   }
 
   // Returns a new face that contains the whole polygon, up to roundings; or none.
-  const Face* new_face_at(const FlatPiece& piece) const {
+  const Face* new_face_at(const FlatPolygon& polygon) const {
     const double enough = rounding(extent_) * rounding(extent_);
     for (const NewFace& f : new_)
-      if (std::all_of(piece.begin(), piece.end(), [&](const FlatPoint& y) {
+      if (std::all_of(polygon.begin(), polygon.end(), [&](const FlatPoint& y) {
             return squared_distance_to_triangle(y.point, f.now[0].point, f.now[1].point,
                                                 f.now[2].point) <= enough;
           }))

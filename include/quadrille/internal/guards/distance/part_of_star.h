@@ -2,10 +2,10 @@
 #define QUADRILLE_INTERNAL_GUARDS_DISTANCE_PART_OF_STAR_H
 
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/guards/distance/border_strips.h>
 #include <quadrille/internal/guards/distance/face_of_star.h>
-#include <quadrille/internal/guards/distance/piece_table.h>
+#include <quadrille/internal/guards/distance/polygon_table.h>
 #include <quadrille/quadric_form.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ public:
     kept_ = nullptr;
   }
   /// Adds the polygons that measure() finds to a table, by the places of faces after the first.
-  void keep_pieces(PieceTable& table, const Face* first) {
+  void keep_polygons(PolygonTable& table, const Face* first) {
     kept_ = &table;
     first_ = first;
   }
@@ -147,14 +147,16 @@ public:
   FaceDeviation measure(const Face& face, double known) const {
     const FaceDeviation plain =
         kept_ ? measure_and_keep(face, known)
-              : measure_by(face, known,
-                           [](const FlatPiece&, double, const Face*, const auto& d) { return d; });
+              : measure_by(face, known, [](const FlatPolygon&, double, const Face*, const auto& d) {
+                  return d;
+                });
     if (!may_be_noise(plain.from_star))
       return plain;
-    return measure_by(face, known,
-                      [this](const FlatPiece& piece, double, const Face*, const FaceDeviation& d) {
-                        return may_be_noise(d.from_star) ? nearest_to(piece, d) : d;
-                      });
+    return measure_by(
+        face, known,
+        [this](const FlatPolygon& polygon, double, const Face*, const FaceDeviation& d) {
+          return may_be_noise(d.from_star) ? nearest_to(polygon, d) : d;
+        });
   }
 
 protected:
@@ -182,7 +184,7 @@ protected:
 private:
   // Measures by polygons, which are added to the table.
   FaceDeviation measure_and_keep(const Face& face, double known) const {
-    const auto put = [&](const FlatPiece&, double area, const Face* old, const FaceDeviation& d) {
+    const auto put = [&](const FlatPolygon&, double area, const Face* old, const FaceDeviation& d) {
       if (old)
         kept_->put(index_of(face), index_of(*old), {d.from_star, area});
       return d;
@@ -205,17 +207,17 @@ private:
                              auto squared) {
       if (lies_beside(now, part))
         return;
-      FlatPiece piece(now);
-      piece.clip(part, tolerance());
-      if (piece.empty())
+      FlatPolygon polygon(now);
+      polygon.clip(part, tolerance());
+      if (polygon.empty())
         return;
       double most = 0;
-      for (const FlatPoint& y : piece)
+      for (const FlatPoint& y : polygon)
         most = (std::max)(most, squared(y));
-      const double area = piece.area();
+      const double area = polygon.area();
       covered += area;
       const double distance = std::sqrt(most);
-      deviation.raise_to(mended(piece, area, old, FaceDeviation{bound + distance, distance}));
+      deviation.raise_to(mended(polygon, area, old, FaceDeviation{bound + distance, distance}));
     };
     for (const Face* f : faces_)
       if (deviation.from_input < known && flat_area(f->flat) > 0)
@@ -233,20 +235,20 @@ private:
 
   // Returns the distance of a polygon to any face of the region, if that is very small, otherwise
   // the known distance.
-  FaceDeviation nearest_to(const FlatPiece& piece, const FaceDeviation& known) const {
+  FaceDeviation nearest_to(const FlatPolygon& polygon, const FaceDeviation& known) const {
     const double enough = rounding(extent_) * rounding(extent_);
     for (const Face* f : faces_) {
       const std::array<Vector<3>, 3>& t = f->corners;
       const auto is_near = [&](const FlatPoint& y) {
         return squared_distance_to_triangle(y.point, t[0], t[1], t[2]) <= enough;
       };
-      if (f->bound <= known.from_input && std::all_of(piece.begin(), piece.end(), is_near))
+      if (f->bound <= known.from_input && std::all_of(polygon.begin(), polygon.end(), is_near))
         return {f->bound + rounding(extent_), rounding(extent_)};
     }
     return known;
   }
 
-  PieceTable* kept_ = nullptr;
+  PolygonTable* kept_ = nullptr;
   std::array<Vector<3>, 2> ends_;
   Index b_ = 0;
   ProjectionPlane plane_;

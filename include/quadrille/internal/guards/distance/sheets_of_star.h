@@ -17,7 +17,7 @@ namespace quadrille::internal {
 
 /// Connected faces, in components, each oriented like the first of its component or the other way:
 /// a union-find whose links also store whether a face is turned against the one to which it links.
-class WoundPieces {
+class OrientedComponents {
 public:
   /// A link to the first face of a component; is the other one oriented the other way?
   struct Link {
@@ -78,7 +78,7 @@ public:
   /// not matter. b is the second end of the pair.
   void find(std::vector<FaceOfStar>& faces, Index b) {
     corners_.clear();
-    pieces_.reset(faces.size());
+    components_.reset(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
       add_edges(faces[i], static_cast<Index>(i), b);
     std::sort(corners_.begin(), corners_.end(), [](const Corner& c, const Corner& d) {
@@ -122,7 +122,7 @@ private:
   // Faces of the same orientation have their common edge in opposite directions. If a sheet has
   // only one side some edge is left at which they differ.
   void join(const Corner& c, const Corner& d) {
-    pieces_.join(c.face, d.face, c.is_towards_end != d.is_towards_end);
+    components_.join(c.face, d.face, c.is_towards_end != d.is_towards_end);
   }
 
   // By sheets, each in the order of the faces.
@@ -130,7 +130,7 @@ private:
     sheet_.resize(faces.size());
     ends_.clear();
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const WoundPieces::Link first = pieces_.first_of(static_cast<Index>(i));
+      const OrientedComponents::Link first = components_.first_of(static_cast<Index>(i));
       if (first.is_turned)
         faces[i].turn_over();
       if (first.face == i) {
@@ -148,7 +148,7 @@ private:
   }
 
   std::vector<Corner> corners_;
-  WoundPieces pieces_;
+  OrientedComponents components_;
   std::vector<Index> sheet_;
   std::vector<FaceOfStar*> order_;
   std::vector<std::size_t> ends_; // in the order, of each sheet

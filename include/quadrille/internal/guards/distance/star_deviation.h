@@ -3,11 +3,11 @@
 
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/guards/distance/border_strips.h>
 #include <quadrille/internal/guards/distance/face_of_star.h>
 #include <quadrille/internal/guards/distance/part_of_star.h>
-#include <quadrille/internal/guards/distance/piece_table.h>
+#include <quadrille/internal/guards/distance/polygon_table.h>
 #include <quadrille/internal/guards/distance/sheets_of_star.h>
 #include <quadrille/quadric_form.h>
 
@@ -69,11 +69,11 @@ public:
     for (const StarFace& f : star.shared)
       add(f, 0, true);
     part_.begin(ends_, b, x, extent_);
-    pieces_.clear();
+    polygons_.clear();
   }
   /// Keeps the polygons of those sheets that are compared whole.
-  void keep_pieces() { pieces_.begin(faces_.size()); }
-  const PieceTable& pieces() const { return pieces_; }
+  void keep_polygons() { polygons_.begin(faces_.size()); }
+  const PolygonTable& polygons() const { return polygons_; }
 
   /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
   bool is_unchanged(std::size_t end) const { return ends_[end] == x_; }
@@ -109,7 +109,7 @@ public:
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_each(bool is_one_sheet, IsTooFar is_too_far) {
     deviations_.clear();
-    FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // pieces find no less at x
+    FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // polygons find no less at x
     for (const Face& f : faces_) {
       const auto& [p, q, r] = f.corners;
       const double distance = std::sqrt(squared_distance_to_triangle(x_, p, q, r));
@@ -172,8 +172,8 @@ private:
       return first_beyond(sheet, is_too_far);
     part_.take(sheet);
     if (part_.lay_flat() && !part_.leaves_steep_ones()) {
-      if (pieces_.is_kept())
-        part_.keep_pieces(pieces_, faces_.data());
+      if (polygons_.is_kept())
+        part_.keep_polygons(polygons_, faces_.data());
       return measure_part(is_too_far);
     }
     rest_.assign(sheet.begin(), sheet.end());
@@ -236,7 +236,7 @@ private:
   std::vector<Face> faces_; // those that change come first, then those that go
   std::vector<FaceDeviation> deviations_;
   SheetsOfStar sheets_;
-  PieceTable pieces_;       // of sheets
+  PolygonTable polygons_;   // of sheets
   PartOfStar part_;         // of a sheet, that is compared now
   std::vector<Face*> rest_; // of it, for later
   std::size_t changed_ = 0;

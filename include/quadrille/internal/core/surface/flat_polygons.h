@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_PIECES_H
-#define QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_PIECES_H
+#ifndef QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_POLYGONS_H
+#define QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_POLYGONS_H
 
 #include <quadrille/quadric_form.h>
 
@@ -111,11 +111,11 @@ inline double squared_height(const FlatPoint& y, const FlatTriangle& t) {
 }
 
 /// The intersection of a triangle with another one in the plane: a convex polygon.
-class FlatPiece {
+class FlatPolygon {
   static constexpr std::size_t most_corners = 12; // even if roundings cut each edge
 
 public:
-  explicit FlatPiece(const FlatTriangle& t) : size_(3) {
+  explicit FlatPolygon(const FlatTriangle& t) : size_(3) {
     std::copy(t.begin(), t.end(), corners_.begin());
   }
 
@@ -174,4 +174,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_PIECES_H
+#endif // QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_POLYGONS_H

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_GUARDS_DISTANCE_PIECE_TABLE_H
-#define QUADRILLE_INTERNAL_GUARDS_DISTANCE_PIECE_TABLE_H
+#ifndef QUADRILLE_INTERNAL_GUARDS_DISTANCE_POLYGON_TABLE_H
+#define QUADRILLE_INTERNAL_GUARDS_DISTANCE_POLYGON_TABLE_H
 
 #include <cstddef>
 #include <vector>
@@ -9,9 +9,9 @@ namespace quadrille::internal {
 /// The polygons into which the new faces of a star are cut over its old ones, so that a comparison
 /// of old faces with new ones need not cut them again: the heights over a polygon are the same from
 /// both sides.
-class PieceTable {
+class PolygonTable {
 public:
-  struct Piece {
+  struct Polygon {
     double distance; // the greatest; below 0 where there is none
     double area;     // twice of it, in the plane
   };
@@ -26,16 +26,16 @@ public:
     if (faces > most_faces)
       return;
     size_ = faces;
-    pieces_.assign(faces * faces, {-1, 0});
+    polygons_.assign(faces * faces, {-1, 0});
     is_complete_.assign(faces, false);
   }
   bool is_kept() const { return size_ > 0; }
 
-  void put(std::size_t now, std::size_t old, const Piece& piece) {
-    pieces_[now * size_ + old] = piece;
+  void put(std::size_t now, std::size_t old, const Polygon& polygon) {
+    polygons_[now * size_ + old] = polygon;
   }
-  const Piece& operator()(std::size_t now, std::size_t old) const {
-    return pieces_[now * size_ + old];
+  const Polygon& operator()(std::size_t now, std::size_t old) const {
+    return polygons_[now * size_ + old];
   }
 
   /// All polygons of a new face have been added.
@@ -44,10 +44,10 @@ public:
 
 private:
   std::size_t size_ = 0;
-  std::vector<Piece> pieces_;
+  std::vector<Polygon> polygons_;
   std::vector<char> is_complete_;
 };
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_GUARDS_DISTANCE_PIECE_TABLE_H
+#endif // QUADRILLE_INTERNAL_GUARDS_DISTANCE_POLYGON_TABLE_H
