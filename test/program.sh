@@ -548,7 +548,7 @@ expect stdout '^far-2.off: verified: distance of the result from the input: .* p
 run 2 plain.off bad.off --tolerance q --error 1
 expect stderr '^--tolerance: does not go with --error: both limit'
 run 2 --from r.qlv bad.off --verify
-expect stderr '^--from: does not go with --verify: a record holds no IN'
+expect stderr '^--from: does not go with --verify: a record does not contain IN'
 run 2 plain.off bad.off --levels 50% --faces 10
 cp plain.off bad-2.off
 chmod 444 bad-2.off
@@ -602,7 +602,7 @@ for options in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '-
     run 0 $options --ratio 0.2 $input expected.${input##*.}
     # shellcheck disable=SC2086
     run 0 $options --ratio 0.2 --record record.qlv $input out.${input##*.}
-    expect stderr "^$input: the record holds positions only$"
+    expect stderr "^$input: the record contains positions only$"
     expect_same out.${input##*.} expected.${input##*.}
     run 0 --from record.qlv from.off --ratio 0.2
     [ $input != fine.off ] || [ "$(positions from.off)" = "$(positions out.off)" ] || fail "other positions"
@@ -619,7 +619,7 @@ places() { # file.off: each once, though OUT has a vertex for each side of a sea
 }
 [ "$(places from.off)" = "$(places out.off)" ] || fail "other positions"
 run 0 --record record.qlv parts.ply out.ply
-expect stderr '^parts.ply: the record holds positions only$'
+expect stderr '^parts.ply: the record contains positions only$'
 
 # Distances are in the record of a run that asks for them
 run 2 --from record.qlv out.off --error 0.1
@@ -722,7 +722,7 @@ expect_usage_error '^there is no option --kep; did you mean --keep\?$' plain.off
 expect_usage_error '^there is no option --unknown; --help lists all$' --unknown plain.off out.off
 expect_usage_error "^'25%': one word too many; did you mean --keep 25%\? Items of a list have commas between them$" \
   plain.off out.off --levels 50% 25%
-expect_usage_error "'10%' is not a count; --keep takes a part of the faces$" --faces 10% plain.off out.off
+expect_usage_error "'10%' is not a count; --keep takes a fraction of the faces$" --faces 10% plain.off out.off
 expect_usage_error "'5mm' is not a distance: a number in the units of IN, or 0.1% for" --error 5mm plain.off out.off
 expect_usage_error "'1k' is not a count in digits only: did you mean 1000\?$" --faces 1k plain.off out.off
 expect_usage_error "'1,500' is not a count in digits only: did you mean 1500\?$" --vertices 1,500 plain.off out.off

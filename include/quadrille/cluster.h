@@ -98,7 +98,7 @@ CellGrid grid_of(const Soup& soup, const Grid& grid, Clusters&) {
 template <class Soup>
 CellGrid grid_of(const Soup& soup, const CellSize& size, Clusters&) {
   if (!(size.edge > 0) || !std::isfinite(size.edge))
-    refuse_clustering("CellSize " + text_of(size.edge) + " is no length");
+    refuse_clustering("CellSize " + text_of(size.edge) + " is not positive and finite");
   return CellGrid::of_cubes(soup.box(), soup.scale().length_from_mesh(size.edge));
 }
 

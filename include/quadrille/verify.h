@@ -61,7 +61,7 @@ private:
   static void require_sense(const Claims& claims) {
     DistanceFindings::require_sense(claims);
     if (!(claims.normal_deviation.value_or(0) >= 0))
-      throw std::invalid_argument("quadrille::verify: what is claimed is not an angle");
+      throw std::invalid_argument("quadrille::verify: the claim is not an angle");
   }
 
   // A surface without faces allows only one conclusion: whether the other one has no faces either.

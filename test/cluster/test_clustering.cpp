@@ -562,12 +562,12 @@ TEST_CASE("Bad input is refused, and the soup is as it was") {
                 "9007199254740992 x 1 x 1 cells are too many");
   check_refusal(sphere, Grid{std::size_t{1} << 32, std::size_t{1} << 30, 4},
                 "4294967296 x 1073741824 x 4 cells are too many");
-  check_refusal(sphere, CellSize{0}, "CellSize 0 is no length");
-  check_refusal(sphere, CellSize{-1}, "CellSize -1 is no length");
+  check_refusal(sphere, CellSize{0}, "CellSize 0 is not positive and finite");
+  check_refusal(sphere, CellSize{-1}, "CellSize -1 is not positive and finite");
   check_refusal(sphere, CellSize{std::numeric_limits<double>::infinity()},
-                "CellSize inf is no length");
+                "CellSize inf is not positive and finite");
   check_refusal(sphere, CellSize{std::numeric_limits<double>::quiet_NaN()},
-                "CellSize nan is no length");
+                "CellSize nan is not positive and finite");
   check_refusal(
       test::cube(2), CellSize{0x1p-60},
       "1152921504606846976 x 1152921504606846976 x 1152921504606846976 cells are too many");

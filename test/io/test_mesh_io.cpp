@@ -712,7 +712,7 @@ TEST_CASE("Broken PLY headers are refused with their place", "[mesh_io]") {
       {start + "element vertex 3\nproperty quad x\n", "a.ply:4: unknown type 'quad'"},
       {start + "element vertex 3\nproperty float\n", "a.ply:4: a property without a name"},
       {start + "element vertex 3\nproperty list float int x\n",
-       "a.ply:4: the count of a list is no integer type"},
+       "a.ply:4: the count of a list does not have an integer type"},
       {start + "element vertex 3\nproperty float x\nproperty float x\n",
        "a.ply:5: property 'x' is declared twice"},
       {start + "end_header\n", "a.ply: the header declares no element 'vertex'"},

@@ -54,7 +54,7 @@ class Jobs(Folder):
         with self.assertRaisesRegex(ValueError, "no scalar allowed"):
             self.at_once(faces=None, tolerance="allowed")
         for wrong in ({"error": 1}, {"relative_error": 0.1}):
-            with self.assertRaisesRegex(ValueError, "beside error"):
+            with self.assertRaisesRegex(ValueError, "tolerance and error are both given"):
                 self.at_once(tolerance="allowed", **wrong)
         with self.assertRaisesRegex(TypeError, "name of a number"):
             self.at_once(tolerance=[1.0])

@@ -186,7 +186,7 @@ class OtherLibraries(Folder):
                 quadrille.simplify(points, faces, target_reduction=wrong)
         for other in (dict(faces=9), dict(ratio=0.1), dict(vertices=9), dict(error=1),
                       dict(relative_error=1), dict(tolerance=np.ones(len(points)))):
-            with self.assertRaisesRegex(ValueError, f"^target_reduction is given beside {list(other)[0]}"):
+            with self.assertRaisesRegex(ValueError, f"^target_reduction and {list(other)[0]} are both given"):
                 quadrille.simplify(points, faces, target_reduction=0.9, **other)
 
     def test_errors(self):
@@ -196,14 +196,14 @@ class OtherLibraries(Folder):
             quadrille.simplify(mesh, attributes=["cold"])
         with self.assertRaisesRegex(TypeError, "is a str, not a dict .*, nor a list of names .* PolyData$"):
             quadrille.simplify(mesh, attributes="heat")
-        with self.assertRaisesRegex(ValueError, "^triangles are given beside a PolyData, which has its own$"):
+        with self.assertRaisesRegex(ValueError, "^triangles are given in addition to a PolyData, which has its own$"):
             quadrille.simplify(mesh, self.faces)
-        with self.assertRaisesRegex(TypeError, "^a Vector3dVector is no mesh of triangles of trimesh"):
+        with self.assertRaisesRegex(TypeError, "^a Vector3dVector is not a triangle mesh of trimesh"):
             self.small.to_like(Vector3dVector(self.points))
         for primitive in (Primitive(), StubbornPrimitive()):
             with self.assertRaisesRegex(TypeError, r"Primitive cannot be made of .*: give its to_mesh\(\)$"):
                 self.small.to_like(primitive)
-        with self.assertRaisesRegex(TypeError, "^a Simplified is no mesh of another library"):
+        with self.assertRaisesRegex(TypeError, "^a Simplified is already a mesh of this library"):
             self.small.to_like(self.small)
         with self.assertRaisesRegex(TypeError, "^levels is a list, not a Levels"):
             quadrille.simplify(self.points, self.faces, levels=[])

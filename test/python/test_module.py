@@ -483,7 +483,7 @@ class Errors(unittest.TestCase):
             self.refused(message, p, bad)
 
     def test_options(self):
-        self.refused("^triangles are given beside a Mesh", quadrille.Mesh(self.points, self.faces), self.faces)
+        self.refused("^triangles are given in addition to a Mesh", quadrille.Mesh(self.points, self.faces), self.faces)
         self.refused("^faces is 2.5, not an integer", faces=2.5)
         self.refused("^faces is -1, not in", faces=-1)
         self.refused("^ratio is 'half', not a number", ratio="half")

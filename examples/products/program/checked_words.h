@@ -53,7 +53,7 @@ inline CLI::Validator count() {
     if (const std::optional<std::int64_t> meant = meant_count(word))
       return in_quotes(word) + " is not a count in digits only: did you mean " +
              std::to_string(*meant) + "?";
-    return in_quotes(word) + " is not a count; --keep takes a part of the faces";
+    return in_quotes(word) + " is not a count; --keep takes a fraction of the faces";
   };
   return {complaint, ""};
 }
@@ -68,7 +68,7 @@ inline CLI::Validator amount(const std::string& what,
 }
 
 inline CLI::Validator distance() {
-  return amount("a distance: a number in the units of IN, or 0.1% for a part of the diagonal");
+  return amount("a distance: a number in the units of IN, or 0.1% for a fraction of the diagonal");
 }
 
 /// What the library, or Python, calls a word.

@@ -35,7 +35,7 @@ inline void add_target(CLI::App& app, Options& options) {
   in_group(app.add_option_function<std::string>(
                "--keep,--ratio",
                [&](const std::string& word) { target.ratio = amount_of(word).value; },
-               "stop at this part of the faces, 10% or 0.1"),
+               "stop at this fraction of the faces, 10% or 0.1"),
            amount("from 0 to 1 nor from 0% to 100%, as 0.1 or 10%", 1), "PART");
   in_group(app.add_option("--vertices", target.vertices, "stop at so many vertices"), count(), "N");
   in_group(

@@ -24,13 +24,15 @@ inline constexpr Exclusion exclusions[] = {
     {"--levels", "--keep", reason_of_levels},
     {"--levels", "--vertices", reason_of_levels},
     {"--levels", "--error", reason_of_levels},
-    {"--record", "--levels", "a record holds all levels, and --from reads each of them"},
+    {"--record", "--levels", "a record contains all levels, and --from reads each of them"},
     {"--verbose", "--quiet", "one prints more, the other nothing"},
-    {"--drop-parts", "--keep-parts", "small parts may vanish, or no part does"},
+    {"--drop-parts", "--keep-parts", "either small components may vanish, or none does"},
     {"--from", "--verify",
-     "a record holds no IN to measure OUT against: run with --verify what is to be recorded"},
+     "a record does not contain IN, which OUT would be measured against: run with --verify what is "
+     "to be recorded"},
     {"--from", "--measure",
-     "a record holds no IN to measure OUT against: run with --measure what is to be recorded"}};
+     "a record does not contain IN, which OUT would be measured against: run with --measure what "
+     "is to be recorded"}};
 
 /// Those that belong to the run that has made a record.
 inline constexpr const char* options_of_recorded_runs[] = {

@@ -25,28 +25,28 @@ inline constexpr NotByParts not_by_parts[] = {
     {"--calibrated",
      "each of its runs measures the surface as a whole, which is not in memory; --both-ways "
      "without it keeps the limit, too"},
-    {"--orient", "a part does not know how the others are wound"},
-    {"--pairs", "pairs that are no edges may lie in different parts"},
-    {"--no-self-intersection", "a part does not see the faces of the others"},
-    {"--solid", "a part does not see the faces of the others"},
+    {"--orient", "a chunk does not know the orientation of the others"},
+    {"--pairs", "pairs that are not edges may lie in different chunks"},
+    {"--no-self-intersection", "a chunk does not see the faces of the others"},
+    {"--solid", "a chunk does not see the faces of the others"},
     {"--normals", "how far normals have turned does not go along from phase to phase"},
     {"--levels", "levels are of one run, in memory"},
     {"--record", "a record is of one run, in memory"},
     {"--from", "a record is of one run, in memory"},
     {"--vertices",
-     "how many vertices are left is known when parts are sewn; --faces and --keep are targets"},
-    {"--order",
-     "each part is simplified by the greedy order, and --threads says how many at a time"},
+     "the number of vertices is only known at the end; --faces and --keep are targets"},
+    {"--order", "each chunk is simplified in the greedy order, and --threads is the number of "
+                "chunks at a time"},
     {"--region", "names of faces do not go along"},
     {"--labels", "it is for glTF"},
-    {"--seams", "seams of a file that is read by parts are borders"},
+    {"--seams", "seams of a file that is read in chunks are boundaries"},
     {"--importance", "numbers of vertices go along, and weigh nothing"},
-    {"--lines", "only the plain costs are compiled for parts"},
-    {"--normal-noise", "only the plain costs are compiled for parts"},
-    {"--noise", "only the plain costs are compiled for parts"},
-    {"--squared-areas", "only the plain costs are compiled for parts"},
-    {"--crease", "only the plain costs are compiled for parts"},
-    {"--keep-partial", "what is done stays in the folder, and --restart goes on with it"}};
+    {"--lines", "only the plain costs are compiled for chunks"},
+    {"--normal-noise", "only the plain costs are compiled for chunks"},
+    {"--noise", "only the plain costs are compiled for chunks"},
+    {"--squared-areas", "only the plain costs are compiled for chunks"},
+    {"--crease", "only the plain costs are compiled for chunks"},
+    {"--keep-partial", "finished work stays in the folder, and --restart resumes it"}};
 
 /// Throws for options that do not go with parts, with the reason.
 inline void require_by_parts(const CLI::App& app, const Options& options) {
@@ -110,7 +110,7 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                         "a number of bytes, as 4G or 500M"))
       ->type_name("BYTES");
   in_group(app.add_flag("--restart", options.restarts,
-                        "go on with what is in the folder, where a run was stopped"));
+                        "resume the job in the folder, where a run was stopped"));
   in_group(app.add_option("--progress", options.progress,
                           "write how far it is to this file, a line of JSON for each stage and "
                           "second; the first one has an estimate of time, memory and disk"))

@@ -255,7 +255,7 @@ public:
     if (are_parts_in_the_way())
       add_parts();
     else if (!is_free_ && counts(Rejection::topology))
-      add("topology is kept", "--topology free lets holes close and thin parts become sheets");
+      add("topology is kept", "--topology free lets holes close and thin features become flat");
     if (counts(Rejection::seam))
       add_seams();
     if (report_.stop == quadrille::StopReason::target_unreachable)
@@ -325,7 +325,7 @@ private:
     if (!outcome_.trials && topology(options_) != quadrille::Topology::parts_may_vanish)
       text += "--drop-parts lets small ones vanish, ";
     if (!outcome_.trials)
-      text += "--topology free lets holes close and thin parts become sheets, ";
+      text += "--topology free lets holes close and thin features become flat, ";
     text += outcome_.trials ? "--pairs joins those that are closer than a distance"
                             : "--pairs also joins parts";
     if (!options_.weld && !is_gltf(extension_of(options_.input, options_)))

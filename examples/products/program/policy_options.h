@@ -129,17 +129,19 @@ inline void add_topology(CLI::App& app, Options& options) {
       ->check(distance())
       ->type_name("T|T%")
       ->group("Policies");
-  take_one_of(app.add_option("--topology", options.topology,
-                             "may holes close and parts join? (default: kept but for small parts, "
-                             "see --keep-parts, or free with --pairs)"),
-              {"kept", "free"})
+  take_one_of(
+      app.add_option(
+          "--topology", options.topology,
+          "may holes close and components join? (default: kept except for small components, "
+          "see --keep-parts, or free with --pairs)"),
+      {"kept", "free"})
       ->group("Policies");
   CLI::Option* const drops =
       app.add_flag("--drop-parts", options.drops_parts,
-                   "small parts may vanish whole where that is the cheapest thing to do; else "
+                   "small components may be removed where that is the cheapest step; else "
                    "topology is kept. So it is of glTF, OBJ and PLY by default");
   CLI::Option* const keeps = app.add_flag("--keep-parts", options.keeps_parts,
-                                          "no part vanishes: as it is of other formats by default");
+                                          "no component vanishes: the default for other formats");
   drops->group("Policies");
   keeps->group("Policies");
 }

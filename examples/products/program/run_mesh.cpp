@@ -342,7 +342,7 @@ private:
   void simplify_recorded(IndexedMesh mesh) {
     if (has_attributes(mesh)) {
       progress_.clear();
-      print_remark(options_, "the record holds positions only");
+      print_remark(options_, "the record contains positions only");
     }
     quadrille::Levels levels;
     PositionRecorder recorder(levels);

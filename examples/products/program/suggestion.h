@@ -53,19 +53,20 @@ inline std::string closest_option(const CLI::App& app, std::string_view word) {
 /// What an option of other programs is called here; nothing for others.
 inline std::string option_of_others(const std::string& name) {
   static constexpr std::pair<const char*, const char*> names[] = {
-      {"--percent", "--keep takes the part of the faces that stays, as 10%"},
-      {"--percentage", "--keep takes the part of the faces that stays, as 10%"},
-      {"--reduction", "--keep takes the part of the faces that stays, as 10% for 0.9 less"},
-      {"--target-reduction", "--keep takes the part of the faces that stays, as 10% for 0.9 less"},
-      {"--target", "--faces takes a count of faces, --keep a part of them"},
-      {"--target-count", "--faces takes a count of faces, --keep a part of them"},
-      {"--triangles", "--faces takes a count of faces, --keep a part of them"},
-      {"--count", "--faces takes a count of faces, --keep a part of them"},
+      {"--percent", "--keep takes the fraction of the faces that stays, as 10%"},
+      {"--percentage", "--keep takes the fraction of the faces that stays, as 10%"},
+      {"--reduction", "--keep takes the fraction of the faces that stays, as 10% for 0.9 less"},
+      {"--target-reduction",
+       "--keep takes the fraction of the faces that stays, as 10% for 0.9 less"},
+      {"--target", "--faces takes a count of faces, --keep a fraction of them"},
+      {"--target-count", "--faces takes a count of faces, --keep a fraction of them"},
+      {"--triangles", "--faces takes a count of faces, --keep a fraction of them"},
+      {"--count", "--faces takes a count of faces, --keep a fraction of them"},
       {"--max-error", "--error takes a distance, as 0.1% of the diagonal"},
       {"--tolerance-distance", "--error takes a distance, as 0.1% of the diagonal"},
-      {"--preserve-border", "--boundary lock keeps borders where they are"},
-      {"--preserve-boundary", "--boundary lock keeps borders where they are"},
-      {"--lock-border", "--boundary lock keeps borders where they are"},
+      {"--preserve-border", "--boundary lock keeps boundaries in place"},
+      {"--preserve-boundary", "--boundary lock keeps boundaries in place"},
+      {"--lock-border", "--boundary lock keeps boundaries in place"},
       {"--preserve-topology", "--topology kept is the default"},
       {"--merge", "--weld TOLERANCE joins vertices that nearly touch"}};
   for (const auto& [other, answer] : names)

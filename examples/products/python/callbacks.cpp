@@ -113,7 +113,8 @@ void add_callbacks(py::module_& m) {
       .def_property_readonly("target", place_of<CostedPair, &CostedPair::target>,
                              "where both would go")
       .def_readonly("quadric", &CostedPair::quadric, "what cost='quadric' says that it costs");
-  py::class_<SoupContraction>(m, "Contraction", "What a filter is given: what is about to be done.")
+  py::class_<SoupContraction>(m, "Contraction",
+                              "The argument of a filter: the contraction that is about to be done.")
       .def_readonly("first", &SoupContraction::first, "an end, as an index of the input's points")
       .def_readonly("second", &SoupContraction::second)
       .def_property_readonly("target", place_of<SoupContraction, &SoupContraction::target>,

@@ -110,7 +110,7 @@ py::tuple reported(FileJob& job, const std::filesystem::path& output) {
 
 void add_status(py::module_& m) {
   py::class_<FileEstimate>(m, "FileEstimate",
-                           "What simplify_file() will take, about, as sizes of files tell.")
+                           "The estimated resources of simplify_file(), from the file sizes.")
       .def_readonly("faces", &FileEstimate::faces, "of the input")
       .def_readonly("memory", &FileEstimate::memory, "of the process at its greatest, in bytes")
       .def_readonly("scratch", &FileEstimate::scratch,
@@ -127,7 +127,8 @@ void add_status(py::module_& m) {
       .def_readonly("parts", &FileStatus::parts, "of the phase")
       .def_readonly("parts_done", &FileStatus::parts_done)
       .def_readonly("faces", &FileStatus::faces, "of the input")
-      .def_readonly("progress", &FileStatus::progress, "about which part is done, from 0 to 1")
+      .def_readonly("progress", &FileStatus::progress,
+                    "the approximate fraction that is done, from 0 to 1")
       .def_readonly("estimate", &FileStatus::estimate)
       .def("__repr__", [](const FileStatus& s) {
         return "<quadrille.FileStatus: " + std::string(to_string(s.stage)) + ", phase " +

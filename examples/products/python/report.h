@@ -194,7 +194,7 @@ inline std::string text_of(const quadrille::Report& report) {
 
 inline void add_status(py::module_& m) {
   using quadrille::Status;
-  py::class_<Status>(m, "Status", "What a progress function is told.")
+  py::class_<Status>(m, "Status", "The argument of a progress function.")
       .def_readonly("initial_faces", &Status::initial_faces)
       .def_readonly("initial_vertices", &Status::initial_vertices)
       .def_readonly("faces", &Status::faces, "how many there are now")
@@ -203,7 +203,7 @@ inline void add_status(py::module_& m) {
       .def_readonly("next_error", &Status::next_error)
       .def_readonly("diagonal", &Status::diagonal, "of the input's bounding box")
       .def_readonly("progress", &Status::progress,
-                    "which part is done, from 0 to 1; 1 at the end only")
+                    "the fraction that is done, from 0 to 1; 1 at the end only")
       .def(py::pickle([](const Status& status) { return numbers_of(status); }, &status_of));
 }
 
@@ -214,7 +214,7 @@ inline void add_dicts(py::class_<quadrille::Report>& report) {
       .def(
           "to_dict", [](const Report& r) { return dict_of(r); },
           "All of it by name, with nothing but what JSON has: an infinite bound is None, and "
-          "seconds are told by phase.")
+          "seconds are given by phase.")
       .def_static("from_dict", report_of, "The report that to_dict() has made this of.")
       .def(
           "to_json", [=](const Report& r) { return json("dumps")(dict_of(r)); },
@@ -289,7 +289,7 @@ inline void add_report(py::module_& m) {
       "seconds", [](const Report& r) { return r.seconds.total(); }, "that it took");
   report.def_property_readonly(
       "rejections", [](const Report& r) { return counts_of(r.rejections); },
-      "how many contractions were refused, by cause");
+      "the number of rejected contractions, by cause");
 }
 
 } // namespace quadrille_examples

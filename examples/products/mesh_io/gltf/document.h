@@ -70,7 +70,7 @@ inline GlbChunks glb_chunks(std::string_view bytes) {
     const std::string_view type = bytes.substr(at + 4, 4);
     at += glb_chunk_header_size;
     if (size > length - at)
-      throw std::runtime_error("a chunk goes on behind the end of the file");
+      throw std::runtime_error("a chunk extends beyond the end of the file");
     if (type == glb_json && !chunks.json.data())
       chunks.json = bytes.substr(at, size);
     else if (type == glb_binary && !chunks.binary.data())
@@ -210,7 +210,7 @@ inline std::string encode_glb(GltfDocument document) {
     unite_buffers(document);
   const auto number = [](std::size_t value) {
     if (value > 0xFFFFFFFF)
-      throw std::runtime_error("more bytes than a GLB file can hold");
+      throw std::runtime_error("more bytes than a GLB file can contain");
     std::string bytes;
     for (int shift = 0; shift < 32; shift += 8)
       bytes += static_cast<char>(value >> shift & 255U);

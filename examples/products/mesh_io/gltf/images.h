@@ -125,7 +125,7 @@ private:
                       bool is_binary) {
     const std::optional<std::string> type = gltf_image_type(bytes);
     if (!type)
-      throw std::runtime_error("an image of no known type");
+      throw std::runtime_error("an image of unknown type");
     if (!is_binary) {
       image["uri"] = "data:" + *type + ";base64," + encode_base64(bytes);
       return;

@@ -60,7 +60,7 @@ inline std::size_t count_of(const Json& object, const char* key,
 inline std::string text_of(const Json& object, const char* key) {
   const Json* const value = member(object, key);
   if (value && !value->is_string())
-    throw std::runtime_error("'" + std::string(key) + "' is no text");
+    throw std::runtime_error("'" + std::string(key) + "' is not a string");
   return value ? value->get<std::string>() : std::string();
 }
 
@@ -68,7 +68,7 @@ inline std::string text_of(const Json& object, const char* key) {
 inline std::size_t size_of(const Json& object, const char* key) {
   const Json* const array = member(object, key);
   if (array && !array->is_array())
-    throw std::runtime_error("'" + std::string(key) + "' is no array");
+    throw std::runtime_error("'" + std::string(key) + "' is not an array");
   return array ? array->size() : 0;
 }
 
@@ -79,7 +79,7 @@ inline const Json& element_of(const Json& object, const char* key, std::size_t i
         out_of_range(key, static_cast<std::int64_t>(index), size_of(object, key)));
   const Json& element = object.find(key)->at(index);
   if (!element.is_object())
-    throw std::runtime_error("an element of '" + std::string(key) + "' is no object");
+    throw std::runtime_error("an element of '" + std::string(key) + "' is not an object");
   return element;
 }
 

@@ -78,7 +78,7 @@ private:
   }
   static std::size_t require_below(std::size_t index, std::size_t count) {
     if (index >= count)
-      throw std::runtime_error("a node refers to what is not there");
+      throw std::runtime_error("a node refers to an element that does not exist");
     return index;
   }
 

@@ -33,7 +33,7 @@ public:
     for (std::size_t i = 0; i < size_of(json, "joints"); ++i) {
       const Json& joint = json["joints"][i];
       if (!joint.is_number_integer() || joint < 0 || joint >= parents.size())
-        throw std::runtime_error("a joint of a skin is no node");
+        throw std::runtime_error("a joint of a skin is not a node");
       nodes_.push_back(joint.get<std::size_t>());
       numbers.emplace(nodes_.back(), i);
     }

@@ -105,7 +105,7 @@ class ChannelOptions:
     linear_light: bool
 
 class Status:
-    """What a progress function is told."""
+    """The argument of a progress function."""
 
     @property
     def initial_faces(self) -> int: ...
@@ -141,7 +141,7 @@ class Pair:
     def quadric(self) -> float: ...
 
 class Contraction:
-    """What a filter is given: what is about to be done."""
+    """The argument of a filter: the contraction that is about to be done."""
 
     @property
     def first(self) -> int: ...

@@ -80,13 +80,13 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
           memory: Union[int, str] = 4_000_000_000, threads: int = 0, part_faces: int = 0, restart: bool = False,
           scratch: Path) -> Tuple[_core.Options, _core.OutOfCore]:
     if faces is not None and (ratio is not None or target_reduction is not None):
-        raise ValueError("faces is given beside a part of the faces: they are two targets")
+        raise ValueError("faces and a fraction of the faces are both given, and are two targets")
     if error is not None and relative_error is not None:
-        raise ValueError("error is given beside relative_error: they are two limits")
+        raise ValueError("error and relative_error are both given, and are two limits")
     if tolerance is not None and not isinstance(tolerance, str):
         raise TypeError("tolerance is the name of a number of vertices of the file, not " + type(tolerance).__name__)
     if tolerance is not None and (error is not None or relative_error is not None):
-        raise ValueError("tolerance is given beside error: put the smaller one into the numbers of the file")
+        raise ValueError("tolerance and error are both given: put the smaller one into the scalar property of the file")
     if tolerance == "":
         raise ValueError("tolerance is '', which is no name of a number of vertices")
     if cost == "edge_length" and placement == "optimal":

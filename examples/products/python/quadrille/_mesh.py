@@ -109,7 +109,7 @@ class Mesh:
         of triangles, or whose data do not fit.
         """
         if isinstance(mesh, Mesh):
-            raise TypeError(f"a {type(mesh).__name__} is no mesh of another library: this is one already")
+            raise TypeError(f"a {type(mesh).__name__} is already a mesh of this library")
         channels = {c.name: (np.asarray(c.channel.values), c.indices) for c in read_channels(self)}
         given: Any = mesh
         result, lost = given, list(channels)

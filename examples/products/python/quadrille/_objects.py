@@ -199,7 +199,7 @@ def like(mesh: Any, channels: Channels, given: Any) -> Tuple[Any, List[str]]:
     """A mesh of the library of the one given, and what it has no place for."""
     form = read_object(given)
     if form is None:
-        raise TypeError(f"a {name_of(given)} is no mesh of triangles of trimesh, Open3D, PyVista, VTK or meshio")
+        raise TypeError(f"a {name_of(given)} is not a triangle mesh of trimesh, Open3D, PyVista, VTK or meshio")
     labels = {} if mesh.labels is None else {"labels": np.asarray(mesh.labels)}
     input_faces = _input_faces(form, getattr(mesh, "input_faces", None))
     face_data = {} if input_faces is None else _face_data(form, input_faces)

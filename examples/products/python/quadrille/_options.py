@@ -60,7 +60,7 @@ def make_options(
         options.ratio = _ratio_left(target_reduction, faces=faces, ratio=ratio, vertices=vertices,
                                     error=error, relative_error=relative_error)
     if options.ratio is not None and not 0 <= options.ratio <= 1:
-        raise ValueError(f"ratio is {ratio!r}, not in [0, 1]: it is the part of the faces that stays")
+        raise ValueError(f"ratio is {ratio!r}, not in [0, 1]: it is the fraction of the faces that stays")
     options.both_ways = bool(both_ways)
     options.cost = _core.Cost.quadric if cost is None else choice("cost", cost, _core.Cost.__members__)
     options.weighting = choice("weighting", weighting, _core.Weighting.__members__)
@@ -112,7 +112,7 @@ def read_number(name: str, value: Any) -> float:
 def _ratio_left(target_reduction: Any, **others: Any) -> float:
     given = [name for name, value in others.items() if value is not None]
     if given:
-        raise ValueError(f"target_reduction is given beside {given[0]}: they are two targets")
+        raise ValueError(f"target_reduction and {given[0]} are both given, and are two targets")
     number = read_number("target_reduction", target_reduction)
     if not 0 < number < 1:
         raise ValueError(f"target_reduction is {number}, not in (0, 1): it is the part of the faces that "

@@ -200,7 +200,7 @@ def simplify(
                           function_of("stop", stop), function_of("progress", progress))
     way = _way_of(options, cost, hull, bool(keep_volume), bool(calibrated))
     if tolerance is not None and target_reduction is not None:
-        raise ValueError("target_reduction is given beside tolerance: they are two targets")
+        raise ValueError("target_reduction and tolerance are both given, and are two targets")
     if tolerance is not None:
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
     options.label_border_weight = read_number("label_border_weight", label_border_weight)
@@ -259,7 +259,7 @@ def _mesh_of(points: Any, triangles: Any) -> Tuple[Mesh, Any]:
         if np.ndim(triangles) == 0:
             raise TypeError(about_number("the second argument", triangles, ["ratio"]))
         if isinstance(points, Mesh) or of_library is not None:
-            raise ValueError(f"triangles are given beside a {type(points).__name__}, which has its own")
+            raise ValueError(f"triangles are given in addition to a {type(points).__name__}, which has its own")
         return Mesh(np.asarray(points), np.asarray(triangles)), None
     if isinstance(points, Mesh):
         return points, None

@@ -30,13 +30,13 @@ _RULES = (
           "limit for the distance"),
     _Rule(("degree", "valence"), ("filter",), "a filter= may ask contraction.highest_degree"),
     _Rule(("reduction", "decimat", "percent", "fraction", "ratio", "perc", "proportion", "factor"), ("ratio",),
-          "ratio= is the part of the faces that stays, target_reduction= the part that goes"),
+          "ratio= is the fraction of the faces that stays, target_reduction= the fraction that is removed"),
     _Rule(("parallel", "jobs", "worker", "core", "thread", "cpu"), ("threads",),
           "threads= says how many, with order='relaxed'"),
     _Rule(("error", "tolerance", "distance", "deviation", "epsilon", "eps"), ("error", "relative_error"),
-          "error= is a limit in the unit of the points, relative_error= one in parts of the diagonal"),
+          "error= is a limit in the unit of the points, relative_error= a fraction of the diagonal"),
     _Rule(("error", "tolerance", "distance", "deviation", "epsilon", "eps"), ("distance",),
-          "distance= and distance_both_ways= are what is claimed"),
+          "distance= and distance_both_ways= are the claims"),
     _Rule(("border", "boundary", "bounds"), ("boundary_weight",),
           "borders hold by boundary_weight=, 100 by default; fixed= takes points that may not move at all"),
     _Rule(("locked", "lock", "constrain", "frozen", "freeze", "pinned", "anchor"), ("fixed",),
@@ -46,7 +46,7 @@ _RULES = (
     _Rule(("topology", "manifold", "genus"), ("topology",),
           "topology= is 'kept' by default; 'free' and 'parts_may_vanish' let it change"),
     _Rule(("verbose", "progress", "callback", "quiet", "log", "tqdm"), ("progress",),
-          "progress= takes a function that is told how far it is; progress=print shows all of it"),
+          "progress= takes a function that receives the progress; progress=print shows it"),
     _Rule(("inplace", "copy", "overwrite"), ("fixed",),
           "nothing is changed in place: the result is a new mesh, and to_like() makes it one of the class given"),
     _Rule(("weld", "merge", "duplicate", "clean", "dedup"), ("split_vertices",),
@@ -65,7 +65,7 @@ _RULES = (
     _Rule(("regular", "shape", "planar", "line"), ("line_weight",), "line_weight= gives better triangles"),
     _Rule(("length",), ("error",), "there is no target of lengths; cost='edge_length' contracts the shortest edges first"),
     _Rule(("keep", "part"), ("ratio",),
-          "ratio= is the part of the faces that stays, target_reduction= the part that goes"),
+          "ratio= is the fraction of the faces that stays, target_reduction= the fraction that is removed"),
     _Rule(("optimal", "position", "midpoint", "endpoint", "contraction"), ("placement",),
           "placement= is 'optimal', 'midpoint' or 'endpoint'"),
     _Rule(("method", "algorithm", "metric", "mode", "strategy"), ("cost",),
@@ -77,9 +77,9 @@ _RULES = (
     _Rule(("lod", "levels", "history"), ("levels",), "levels= takes a quadrille.Levels to record into"),
     _Rule(("voxel", "cell", "cluster", "grid"), ("pairs_closer_than",),
           "pairs_closer_than= joins points that are closer than a distance"),
-    _Rule(("vert", "point", "node"), ("vertices",), "how many vertices shall be left is vertices={0}"),
+    _Rule(("vert", "point", "node"), ("vertices",), "pass the number of vertices to keep as vertices={0}"),
     _Rule(("face", "triang", "tri", "poly", "target", "count", "number", "size", "max", "goal", "amount"), ("faces",),
-          "how many faces shall be left is faces={0}"),
+          "pass the number of faces to keep as faces={0}"),
     _Rule(("sample", "number", "count"), ("samples",), "samples= says how many there are on each surface"),
     _Rule(("camera", "view", "position", "origin"), ("eye",), "eye= is the place that it is seen from"),
 )
@@ -121,7 +121,7 @@ def _require_arrays_first(function: str, named: Mapping[str, Any], known: Sequen
         if value is None or (name in known and np.ndim(value) != 2):
             continue
         if name == "faces" and name in known:
-            raise TypeError("faces= is how many faces shall be left, and triangles are the second argument: "
+            raise TypeError("faces= is the number of faces to keep, and triangles are the second argument: "
                             f"{function}(points, triangles, faces=1000)")
         raise TypeError(f"points and triangles come first, without a name such as {name}=: "
                         f"{function}(points, triangles, ...)")
@@ -132,8 +132,8 @@ def about_number(what: str, value: Any, known: Sequence[str]) -> str:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.number)) or "ratio" not in known:
         return f"{what} is a {type(value).__name__}: all but the surface is given by name"
     if float(value) > 1:
-        return f"{what} is {value!r}: how many faces shall be left is faces={value!r}"
-    return (f"{what} is {value!r}: a part of the faces that stays is ratio={value!r}, one that goes is "
+        return f"{what} is {value!r}: pass the number of faces to keep as faces={value!r}"
+    return (f"{what} is {value!r}: pass a fraction of the faces to keep as ratio={value!r}, one to remove as "
             f"target_reduction={value!r}")
 
 

@@ -58,7 +58,7 @@ public:
       : path_(std::move(name)), file_(path, O_RDONLY) {
     struct ::stat status = {};
     if (::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode))
-      fail_file(path_, "is no regular file, which to read it several times takes");
+      fail_file(path_, "must be a regular file: it is read several times");
     size_ = static_cast<std::uint64_t>(status.st_size);
     changed_ = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec;
   }

@@ -48,7 +48,7 @@ struct LoadedPart {
       for (Index& corner : corners) {
         corner = static_cast<Index>(index.find(corner));
         if (corner == loaded.ids.size())
-          fail_file(path, "has a corner that its part has not");
+          fail_file(path, "has a corner that is not in its chunk");
       }
     if (files.labels.size > 0)
       loaded.labels = read_rows<std::uint32_t>(folder.labels(plan.phase, part), files.labels);

@@ -30,7 +30,7 @@ public:
   using Pieces = PieceOfPart<Cost>;
 
   static_assert(!asks_for_indices<Placement>,
-                "quadrille: each part of a file counts its vertices anew: a placement that asks "
+                "quadrille: each chunk of a file numbers its vertices again: a placement that asks "
                 "for indices in the input is for surfaces in memory");
   static_assert(((!is_guard<Policies> || works_in_parts<Policies>)&&...),
                 "quadrille: each part of a file is simplified without the others, in phases that "

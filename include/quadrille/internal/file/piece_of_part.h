@@ -53,7 +53,7 @@ struct PieceOfPart {
   static_assert(std::is_trivially_copyable_v<State>,
                 "quadrille: the state of a vertex is written to files, so it must be bytes");
   static_assert(!asks_for_indices<Cost> && !AccumulatesByIndex<Cost>,
-                "quadrille: each part of a file counts its vertices anew: a cost that asks for "
+                "quadrille: each chunk of a file numbers its vertices again: a cost that asks for "
                 "indices in the input is for surfaces in memory");
 
   /// The box of the surface, and room for vertices that move out of it.

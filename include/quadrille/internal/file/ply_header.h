@@ -247,7 +247,7 @@ private:
       lines_.next_word();
       property.count_type = read_type();
       if (!property.count_type->is_integer)
-        lines_.fail("the count of a list is no integer type");
+        lines_.fail("the count of a list does not have an integer type");
     }
     property.type = read_type();
     property.name = lines_.next_word();

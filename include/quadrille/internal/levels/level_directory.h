@@ -149,7 +149,7 @@ private:
   void require_consistent() const {
     const auto require = [](bool is_right) {
       if (!is_right)
-        throw std::runtime_error("its directory makes no sense");
+        throw std::runtime_error("its directory is invalid");
     };
     require(!segments.empty() && !widths.empty() && widths[0] >= 3);
     for (std::size_t width : widths)

@@ -18,7 +18,7 @@ public:
 
   static void require_sense(const Claims& claims) {
     if (!(claims.distance.value_or(0) >= 0 && claims.distance_both_ways.value_or(0) >= 0))
-      throw std::invalid_argument("quadrille::verify: what is claimed is not a distance");
+      throw std::invalid_argument("quadrille::verify: the claim is not a distance");
   }
 
   /// The least that is claimed, of the result.
