@@ -100,7 +100,7 @@ struct IndexedValues {
 /// descriptor; in a soup the map is written, so that the labels of the remaining triangles come
 /// first.
 ///
-/// Where topology is kept, the regions of equal labels keep their topology: none is torn or
+/// If topology is kept, the regions of equal labels keep their topology: none is torn or
 /// vanishes, and no two regions meet that did not. Edges between two labels, and edges that do not
 /// have exactly two faces, form one graph in the surface. Contractions that would change this graph
 /// are rejected and counted as Rejection::seam; a vertex stays where the number of its edges in the

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_CLUSTER_H
 #define QUADRILLE_CLUSTER_H
 
-#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/internal/cluster/cell_grid.h>
 #include <quadrille/internal/cluster/cell_vertices.h>

@@ -208,8 +208,8 @@ struct SoupResult {
   std::vector<std::uint32_t> labels;      ///< the labels of the triangles, if the soup had any
   std::vector<SoupChannel> channels;      ///< as many channels as the soup had, in their order
   std::vector<std::uint32_t> input_faces; ///< for each triangle, its index in the input
-  /// Of each point of the input, which one it has become, or parameters::vanished. Empty with
-  /// SoupOptions::split_vertices.
+  /// For each point of the input, the point into which it was merged, or parameters::vanished.
+  /// Empty with SoupOptions::split_vertices.
   std::vector<std::size_t> image;
   Report report; ///< the report of the simplification
 };
@@ -222,8 +222,8 @@ struct SoupResult {
 /// throws.
 SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options = {});
 
-/// The same in place, of a soup that carries nothing. `image`, if there is one, becomes a list of
-/// what became of each point of the input: an index of the result, or parameters::vanished.
+/// Simplifies a soup without labels and channels in place. `image`, if it is not null, receives for
+/// each point of the input its index in the result, or parameters::vanished.
 ///
 /// Throws as simplified_soup() does; the soup is then unchanged.
 Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options = {},

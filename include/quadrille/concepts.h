@@ -244,7 +244,7 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// - `S::needs`, a constant Needs: the optional numbers of the Status that any object of this type
 ///   may read. `static constexpr Needs needs = {.cost = true};`
-/// - `stop.needs_now()`, beside it: the Needs of this object, a subset of those. So one type can
+/// - `stop.needs_now()`, in addition: the Needs of this object, a subset of those. So one type can
 ///   serve with a limit and without one, where no distances are computed. Without it every object
 ///   needs all of them.
 /// - If it stops at a pair only because of Status::next_distance, next_distance_back or

@@ -86,11 +86,12 @@ private:
 /// lost, neither spikes nor boundaries, and the Hausdorff distance of input and result is within
 /// the limit: see Report::hausdorff_bound.
 ///
-/// Beside what DistanceLimit does each face knows how far the input points may be that have come to
-/// lie in it, which takes 4 more bytes per face. This is accumulated too, and exact contractions
-/// cost nothing: in flat regions, along straight boundaries and creases. A contraction that leaves
-/// points of the input without any face, which only a free topology allows, is rejected, and so is
-/// one that would remove a component. Input faces that have a vertex twice are ignored.
+/// In addition to the bound of DistanceLimit, each face has a bound for the input points that have
+/// come to lie in it, which takes 4 more bytes per face. This bound is accumulated too, and exact
+/// contractions cost nothing: in flat regions, along straight boundaries and creases. A contraction
+/// that leaves points of the input without any face, which only a free topology allows, is
+/// rejected, and so is one that would remove a component. Input faces that have a vertex twice are
+/// ignored.
 ///
 /// One of DistanceLimit's roundings passes any limit here as well. A stop policy that asks this one
 /// has to say that it needs distance_back.

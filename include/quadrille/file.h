@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_FILE_H
 #define QUADRILLE_FILE_H
 
-#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/file_report.h>
 #include <quadrille/internal/file/job_estimate.h>
@@ -223,7 +223,7 @@ public:
       find_limit();
     return goes_on;
   }
-  /// Does the same as close(), but does not settle the next phase: see cut().
+  /// Does the same as close(), but does not prepare the next phase: see cut().
   bool regroup() {
     lock();
     watch_.tell(job_, FileStage::regroup, 0);

@@ -144,7 +144,7 @@ private:
     return first;
   }
 
-  // What one rank has becomes that of all.
+  // Sends the text of one rank to all.
   void tell_all(std::string& text, int from) const {
     int size = static_cast<int>(text.size());
     MPI_Bcast(&size, 1, MPI_INT, from, communicator_);
@@ -156,7 +156,7 @@ private:
   int rank_ = 0, size_ = 1;
 };
 
-/// What all ranks know of a report: integers.
+/// The integers of a report, which all ranks know.
 inline std::array<std::int64_t, 8> numbers_of(const FileReport& report) {
   const auto number = [](auto value) { return static_cast<std::int64_t>(value); };
   return {

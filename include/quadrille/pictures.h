@@ -26,9 +26,9 @@
 #include <vector>
 
 /// \file
-/// What there is to draw of a simplification beside its surfaces: quadrics, as ellipsoids, and the
-/// pairs that a policy selects, as segments. This header computes shapes, and leaves it to the
-/// caller to draw them. <quadrille/simplify.h> does not include it.
+/// The shapes that can be drawn of a simplification in addition to its surfaces: quadrics, as
+/// ellipsoids, and the pairs that a policy selects, as segments. This header computes shapes, and
+/// leaves it to the caller to draw them. <quadrille/simplify.h> does not include it.
 
 namespace quadrille {
 
@@ -207,8 +207,8 @@ auto quadric_ellipsoids(const Mesh& mesh, const QuadricMap& quadrics, const Elli
   return maker.ellipsoids;
 }
 
-/// The same for the points of a soup; `quadrics` is a random access range of at least as many
-/// `QuadricForm<3>`. Throws std::invalid_argument if it has fewer.
+/// Returns ellipsoids for the points of a soup; `quadrics` is a random access range of at least as
+/// many `QuadricForm<3>`. Throws std::invalid_argument if it has fewer.
 template <std::ranges::random_access_range Points, std::ranges::random_access_range Quadrics>
 requires(!internal::ReadableGraph<Points>) auto quadric_ellipsoids(const Points& points,
                                                                    const Quadrics& quadrics,
@@ -242,8 +242,8 @@ auto pair_segments(const Mesh& mesh, const Pairs& pairs) {
       internal::read_surface("quadrille::pair_segments", mesh), pairs);
 }
 
-/// The same for a soup. Throws std::invalid_argument also for a triangle that names a point which
-/// is not there.
+/// Returns them for a soup. Throws std::invalid_argument also for a triangle that names a point
+/// that does not exist.
 template <std::ranges::random_access_range Points, std::ranges::input_range Triangles,
           PairPolicy Pairs>
 auto pair_segments(const Points& points, const Triangles& triangles, const Pairs& pairs) {

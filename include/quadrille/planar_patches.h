@@ -4,7 +4,7 @@
 // This header includes CGAL's constrained Delaunay triangulation, which is GPL: a program that
 // includes it comes under the GPL (or CGAL's commercial licence).
 
-#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
@@ -37,14 +37,15 @@
 #include <utility>
 
 /// \file
-/// Planar patches, triangulated anew: what is flat gets the fewest faces at once, and nothing else
+/// Triangulates planar patches again: flat regions get the fewest faces at once, and nothing else
 /// changes.
 
 namespace quadrille {
 
-/// What counts as planar, as an argument of remesh_planar_patches(). Without a word it is what is
-/// planar but for rounding: a 10⁻⁹ of the diagonal of the bounding box. Attributes may be as far
-/// from affine on a patch, as a part of the range of each component, and by 10⁻⁶ of it at least.
+/// The tolerance within which faces are planar, an argument of remesh_planar_patches(). By default
+/// it allows for rounding only: 10⁻⁹ of the diagonal of the bounding box. Attributes may be as far
+/// from affine on a patch, as a fraction of the range of each component, and by 10⁻⁶ of it at
+/// least.
 class PlanarTolerance : public internal::DistanceOrPart {
 public:
   /// `distance`, in the mesh's units: how far the surface may move.
@@ -67,16 +68,16 @@ private:
   PlanarTolerance(double number, bool is_relative) : DistanceOrPart(number, is_relative) {}
 };
 
-/// What remesh_planar_patches() did. It prints itself in one line.
+/// The report of remesh_planar_patches(). It prints itself in one line.
 struct PlanarReport {
   std::size_t faces_before = 0;    ///< faces of the input
   std::size_t faces_after = 0;     ///< faces of the result
   std::size_t vertices_before = 0; ///< vertices of the input
   std::size_t vertices_after = 0;  ///< vertices of the result
   std::size_t patches = 0;         ///< planar patches, of one face or more
-  /// Of these, patches that could not be triangulated but with all vertices of their borders.
+  /// The number of patches that could be triangulated only with all vertices of their boundaries.
   std::size_t patches_with_border = 0;
-  /// Of these, patches that could not be triangulated at all: their faces are as they were.
+  /// The number of patches that could not be triangulated at all: their faces are unchanged.
   std::size_t patches_unchanged = 0;
 };
 
@@ -128,8 +129,8 @@ constexpr void check_planar_names() {
                 "knows are listed in <quadrille/planar_patches.h>.");
 }
 
-/// From an adapter, which has been read, to what it has become. A surface may move by as much as
-/// two vertices may be apart that are on two sides of a plane, and as far beside a border.
+/// Remeshes the surface of an adapter that has been read. A surface may move by as much as two
+/// vertices on two sides of a plane may be apart, and as far next to a boundary.
 template <class Adapter>
 PlanarReport remesh_with(Adapter& adapter, InputWithChannels input,
                          const PlanarTolerance& tolerance) {
@@ -209,7 +210,7 @@ PlanarReport remesh_mesh(Mesh& mesh, const Arguments&... arguments) {
 
 } // namespace internal
 
-/// Finds the planar patches of a triangle mesh and triangulates each anew, in place, between the
+/// Finds the planar patches of a triangle mesh and triangulates each again, in place, between the
 /// vertices that its shape needs: flat parts of CAD models, of voxels and of buildings get the
 /// fewest faces that they can have on vertices of the input, at once.
 ///
@@ -240,12 +241,12 @@ PlanarReport remesh_mesh(Mesh& mesh, const Arguments&... arguments) {
 /// - with the default, on a surface of which no part touches itself but at vertices, vertices are
 ///   all corners of patches, and no others: no triangulation of the same patches has fewer faces
 ///
-/// Where a patch can't be triangulated, because borders would cross or close up where they have
-/// been made straight, it keeps all vertices of its border; or, if that does not do, its faces:
+/// If a patch cannot be triangulated, because boundaries would cross or close up once they are
+/// made straight, it keeps all vertices of its boundary; or, if that is not sufficient, its faces:
 /// PlanarReport counts both. Patches by themselves can't intersect, but with a large tolerance
 /// those of several planes may.
 ///
-/// Time O(n log n) for n faces as a rule. Memory: about 200 bytes a face beside the mesh.
+/// Time O(n log n) for n faces as a rule. Memory: about 200 bytes per face in addition to the mesh.
 ///
 /// Throws as `simplify` does, before anything is changed. The same input gives the same result.
 ///
@@ -258,7 +259,7 @@ requires internal::FaceGraph<Mesh>
                               [&] { return internal::remesh_mesh(mesh, arguments...); });
 }
 
-/// The same for a polygon soup of triangles, in any of the forms that `simplify` takes: containers
+/// Remeshes a polygon soup of triangles, in any of the forms that `simplify` takes: containers
 /// of points and triangles, with point_map and SplitVertices as there, matrices, spans and other
 /// buffers. It may be non-manifold: an edge of other than two faces is a border of patches. So is
 /// one of two faces that do not run round alike, so the sheets of two sides that `simplify` knows

@@ -82,7 +82,7 @@ enum class Weighting {
 /// most d. Quadrics are stored relative to their vertices, where a new plane has neither a linear
 /// nor a constant term.
 ///
-/// Where the planes leave a direction free (in a flat region, along a straight crease), positions
+/// If the planes leave a direction free (in a flat region, along a straight crease), positions
 /// of equal cost are ordered by their distances to the two ends of the pair. So flat regions keep
 /// an even triangulation, and the linear system never becomes singular by rounding. This does not
 /// change the cost: simplifying a flat region has an error of 0, up to rounding.

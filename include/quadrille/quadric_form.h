@@ -98,8 +98,9 @@ double_area_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
   return cross(q - p, r - p);
 }
 
-/// The same, but zero, no normal, if the three points lie on a line up to the rounding of their
-/// coordinates. A triangle higher than a millionth of its length has one, however few bits tell it.
+/// Returns that vector, but zero, no normal, if the three points lie on a line up to the rounding
+/// of their coordinates. A triangle higher than a millionth of its length has one, however few bits
+/// define it.
 QUADRILLE_ALWAYS_INLINE constexpr Vector<3> normal_vector(const Vector<3>& p, const Vector<3>& q,
                                                           const Vector<3>& r) {
   const Vector<3> normal = double_area_vector(p, q, r); // inlined: no load is wider than its store
@@ -284,9 +285,9 @@ private:
   bool is_singular_ = true;
 };
 
-/// The same in space, in scalars: compilers keep them in registers, where arrays go through memory,
-/// and this is the innermost step of a simplification. Of two matrices at once each may be
-/// singular.
+/// This specialization for space uses scalars: compilers keep them in registers, where arrays go
+/// through memory, and this is the innermost step of a simplification. Of two matrices at once each
+/// may be singular.
 template <class Scalar>
 class Factorization<3, Scalar> {
 public:
@@ -315,7 +316,7 @@ public:
 
   /// Is a pivot too small? Then nothing can be solved.
   constexpr bool is_singular() const { return !is_regular_; }
-  /// Is none too small? Of two matrices at once this tells both.
+  /// Is none too small? For two matrices at once the result is that of each.
   constexpr auto is_regular() const { return is_regular_; }
 
   /// x with Ax = b, if A is not singular.
@@ -443,7 +444,7 @@ public:
     return x;
   }
 
-  /// The same on the plane n · x = h. Where n has no length there is no plane.
+  /// Returns the minimizer on the plane n · x = h; none if n has no length.
   constexpr std::optional<Position> minimizer_near_on_plane(const Position& m, double weight,
                                                             const Position& n, double h) const {
     const Factorization<N> factorization(regular_matrix(weight));

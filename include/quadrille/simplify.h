@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_SIMPLIFY_H
 #define QUADRILLE_SIMPLIFY_H
 
-#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/buffers.h>
 #include <quadrille/channel_options.h>

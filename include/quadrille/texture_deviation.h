@@ -204,7 +204,7 @@ private:
 /// shows texture between the charts. It counts for `bleeding` only. If the nearest such point lies
 /// in a triangle of opposite orientation, the sample is *flipped*.
 ///
-/// The same arguments give the same result. Time O(s + n) for s samples and n triangles of about
+/// Equal arguments give equal results. Time O(s + n) for s samples and n triangles of about
 /// even size in the texture. Throws std::invalid_argument for an index out of range.
 ///
 /// Source: texture deviation, Cohen, Olano and Manocha 1998.

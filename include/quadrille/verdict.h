@@ -38,9 +38,9 @@ struct Claims {
   /// NormalDeviation. It needs `images`, which must explain each face of the result; so it cannot
   /// be used for results with duplicated vertices.
   std::optional<double> normal_deviation = {};
-  /// Of each vertex of the input, the vertex of the result that it has become, by their indices or
-  /// in the order of vertices(mesh); parameters::vanished for none. vertex_to_vertex_map tells
-  /// them.
+  /// For each vertex of the input, the vertex of the result into which it was merged, by their
+  /// indices or in the order of vertices(mesh); parameters::vanished for none. They are the result
+  /// of vertex_to_vertex_map.
   std::vector<std::size_t> images = {};
   /// Not a claim: a function that is called repeatedly with the fraction of the work that is done,
   /// from 0 to 1. If it returns false, verify() ends soon, with Verdict::is_cancelled.

@@ -163,7 +163,7 @@ private:
 /// Both are models of CGAL's FaceListGraph with a vertex_point map; types may differ. Rounded
 /// coordinates are measured as they are stored in the mesh. Complexity: about O(n log n) for n
 /// faces of both; distances take about a second for 10⁴ faces at a thousandth of the diagonal,
-/// whether surfaces are flat or curved, and solids of k parts O(k²) beside that. Throws
+/// whether surfaces are flat or curved, and solids of k components O(k²) in addition. Throws
 /// std::invalid_argument for a face that is not a triangle, a coordinate that is not finite, an
 /// invalid distance or angle, tolerances or images whose number is not that of the input vertices,
 /// and a claim of solidity for an input with open edges.
@@ -175,9 +175,9 @@ requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
       claims);
 }
 
-/// The same with maps of the vertices of the input, as named parameters of quadrille::parameters
+/// Verifies with maps of the vertices of the input, as named parameters of quadrille::parameters
 /// like those of simplify(): vertex_tolerance_map claims tolerances, and vertex_to_vertex_map,
-/// which tells vertices of the result (or null_vertex()), is for Claims::normal_deviation.
+/// which gives vertices of the result (or null_vertex()), is for Claims::normal_deviation.
 template <class MeshA, class MeshB, class NamedParameters>
 requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
     verify(const MeshA& input, const MeshB& result, Claims claims, const NamedParameters& named) {
@@ -186,7 +186,7 @@ requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
   return verify(input, result, claims);
 }
 
-/// The same for polygon soups, which may be non-manifold.
+/// Verifies polygon soups, which may be non-manifold.
 ///
 /// Points are anything with x(), y() and z(), or three numbers by index, in a range; triangles are
 /// random access ranges of three indices. Faces whose three indices are not different are left out.
