@@ -125,7 +125,7 @@ private:
     }
   }
 
-  quadrille::internal::WoundPieces pieces_;
+  quadrille::internal::OrientedComponents pieces_;
   std::vector<std::uint32_t> contradictions_; // a face of a piece of one side, for each
   std::vector<bool> is_against_;
   std::size_t one_sided_ = 0;
