@@ -8,6 +8,6 @@
 #include <quadrille/internal/core/recording/record_writer.h>
 
 /// \file
-/// All that an engine of quadrille::compiled is made of, for the sources that define one.
+/// The includes of an engine of quadrille::compiled, for the sources that define one.
 
 #endif // QUADRILLE_COMPILED_ENGINE_DEFINITIONS_H

@@ -31,11 +31,12 @@
 #include <vector>
 
 /// \file
-/// From options to policies.
+/// Converts options to policies.
 
 namespace quadrille::internal {
 
-/// The limits of the options as distances and as parts of the diagonal, one of a kind.
+/// Returns the limits of the options as distances and as fractions of the diagonal; at most one of
+/// a kind is set.
 template <class Limit>
 std::optional<Limit> limit_of(const SoupOptions& options, bool is_asked) {
   if (!is_asked || !options.error)
@@ -49,7 +50,7 @@ std::optional<Limit> relative_limit_of(const SoupOptions& options, bool is_asked
   return Limit::relative(*options.relative_error);
 }
 
-/// The targets of the options. What none of them needs is not measured.
+/// Returns the targets of the options. Distances that no target needs are not measured.
 inline auto stop_of(const SoupOptions& options) {
   std::optional<FaceCount> faces;
   std::optional<FaceRatio> ratio;
@@ -109,7 +110,7 @@ struct SoupVisitor {
   bool proceed(const Status& status) const { return asked(status); }
 };
 
-/// The function of the options as such a policy, if there is one.
+/// Makes a policy of the function in the options, if there is one.
 template <class Policy, class Function>
 std::optional<Policy> policy_of(const Function& asked) {
   if (!asked)
@@ -129,14 +130,14 @@ inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
   return CGAL::Bbox_3(low[0], low[1], low[2], high[0], high[1], high[2]);
 }
 
-/// The order of the options: one engine is compiled for both.
+/// Returns the order of the options: one engine is compiled for both orders.
 inline AnyOrder order_of(const SoupOptions& options) {
   if (options.order == SoupOptions::Order::greedy)
     return GreedyOrder{};
   return RelaxedOrder{options.share, options.refresh, options.threads};
 }
 
-// The guards that the options ask for. A solid keeps faces apart by itself.
+// Returns the guards of the options. KeepSolid includes NoSelfIntersection.
 inline std::optional<NormalDeviation> normal_deviation_of(const SoupOptions& options) {
   if (!options.normal_deviation)
     return std::nullopt;
@@ -160,7 +161,7 @@ record_into_given(std::optional<SoupRecorder>& recorder) {
   return record_into(*recorder);
 }
 
-/// The named parameters that the options say.
+/// Returns the named parameters of the options.
 inline auto named_of(const SoupOptions& options) {
   return parameters::chain<parameters::bounding_box_t>(bounding_box_of(options))
       .coordinates_are_floats(options.coordinates_are_floats)
@@ -173,7 +174,8 @@ inline auto named_of(const SoupOptions& options) {
       .visitor(policy_of<SoupVisitor>(options.proceed));
 }
 
-/// By policies that the options say, in an order; `more` are labels and channels, if there are any.
+/// Simplifies with the policies of the options, in an order; `more` are labels and channels, if
+/// there are any.
 template <class Cost, class Placement, class Order, class... More>
 Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, const Order& order,
                    const More&... more) {
@@ -193,7 +195,7 @@ Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, c
   return simplify_soup(parameters::vertex_to_vertex_map(PointImages{&run.image}, named));
 }
 
-/// The same with whatever a soup carries, or may carry.
+/// Simplifies with all attributes that a soup has or may have.
 template <class Cost, class Placement, class Order>
 Report simplify_with_all(SoupRun& run, const Cost& cost, const Placement& placement,
                          const Order& order) {
@@ -204,7 +206,8 @@ Report simplify_with_all(SoupRun& run, const Cost& cost, const Placement& placem
                      SoupChannelList{run.soup.channels, &run.channels});
 }
 
-/// The placement of the options; by default, for a cost that has a minimizer, the optimal one.
+/// Returns the placement of the options; the default for a cost with a minimizer is the optimal
+/// one.
 template <class Cost>
 BuiltInPlacement placement_of(const SoupOptions& options) {
   using Placement = SoupOptions::Placement;
@@ -223,7 +226,7 @@ BuiltInPlacement placement_of(const SoupOptions& options) {
   return BuiltInPlacement(MidpointPlacement{});
 }
 
-/// A cost with the weights of the options.
+/// Returns a cost with the weights of the options.
 template <class Cost>
 Cost with_weights(Cost cost, const SoupOptions& options) {
   if constexpr (requires { cost.boundary_weight; })
@@ -246,7 +249,7 @@ Report simplify_by_cost(SoupRun& run, const Cost& cost) {
   const Cost weighted = with_weights(cost, run.options);
   const BuiltInPlacement placement = placement_of<Cost>(run.options);
   const AnyOrder order = order_of(run.options);
-  if (run.is_carrying()) // there is an engine for either
+  if (run.is_carrying()) // one engine for soups with attributes, one for those without
     return simplify_with_all(run, weighted, placement, order);
   return simplify_by(run, weighted, placement, order);
 }

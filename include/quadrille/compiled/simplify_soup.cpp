@@ -1,4 +1,4 @@
-// The engines are those of the other sources.
+// The other source files define the engines.
 #define QUADRILLE_WITH_COMPILED
 
 #include <quadrille/compiled.h>
@@ -28,7 +28,7 @@ using internal::SoupRun;
   throw std::invalid_argument("quadrille::simplified_soup: " + what);
 }
 
-// Is there one value for each, if any?
+// Requires one value for each element, if there are any values.
 void require_count(const char* name, std::size_t values, std::size_t count, const char* of_what) {
   if (values > 0 && values != count)
     refuse(name + (" has " + std::to_string(values)) + " values for " + std::to_string(count) +
@@ -73,7 +73,8 @@ Report simplify_by_cost_of_options(SoupRun& run) {
   refuse("there is no such cost");
 }
 
-// Of a soup without triangles nothing is left; else it has been cancelled before it was touched.
+// Returns a channel of a soup without triangles, which is empty, or of a run that was cancelled
+// before any change.
 SoupChannel unchanged_channel(const SoupChannelView& channel, bool has_values) {
   if (!has_values)
     return {channel.components, {}, {}};
@@ -95,7 +96,7 @@ SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
               internal::SoupTriangleArray(soup.triangles),
               {},
               {}};
-  if (!options.split_vertices) { // where it is cancelled at once, nothing has changed
+  if (!options.split_vertices) { // a run that is cancelled at once changes nothing
     run.image.resize(soup.points.size());
     std::iota(run.image.begin(), run.image.end(), std::size_t{0});
   }

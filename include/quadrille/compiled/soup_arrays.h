@@ -14,13 +14,11 @@
 #include <vector>
 
 /// \file
-/// Containers for `simplify` that look at the arrays of a caller until it puts new ones in their
-/// place.
+/// Containers for `simplify` that refer to the arrays of a caller until `simplify` replaces them.
 
 namespace quadrille::internal {
 
-/// The points of a soup. Those of the caller are never written to: `simplify` builds new ones
-/// apart.
+/// The points of a soup. The caller's points are never written: `simplify` makes new ones.
 class SoupPointArray {
 public:
   using Point = std::array<double, 3>;
@@ -44,7 +42,7 @@ private:
   bool is_own_ = true;
 };
 
-/// A triangle, and which one of the input it is.
+/// A triangle with its index in the input.
 struct NumberedTriangle {
   std::array<std::uint32_t, 3> corners;
   std::uint32_t input = 0;
@@ -110,7 +108,7 @@ public:
   Iterator begin() const { return {this, 0}; }
   Iterator end() const { return {this, static_cast<std::ptrdiff_t>(size())}; }
 
-  /// The triangles, and which ones of the input they are.
+  /// Returns the triangles and their indices in the input.
   std::pair<SoupTriangles, std::vector<std::uint32_t>> take() && {
     if (is_own_)
       return {std::move(own_), std::move(inputs_)};

@@ -17,12 +17,12 @@
 #include <vector>
 
 /// \file
-/// Channels of which number, kinds and components are chosen at run time, as one argument of
+/// Channels whose number, kinds and components are chosen at run time, as one argument of
 /// `simplify`, so that one engine is compiled for all of them.
 
 namespace quadrille::internal {
 
-/// The argument: what there is, and where the results go.
+/// The argument: the channels, and the destination of the results.
 struct SoupChannelList {
   std::span<const SoupChannelView> channels;
   std::vector<SoupChannel>* results;
@@ -47,7 +47,7 @@ inline SoupChannelMaps channel_maps(const std::tuple<SoupChannelList>& channels)
   return result;
 }
 
-/// See SoupChannels of other maps.
+/// SoupChannels documents its counterpart for other maps.
 template <>
 class SoupChannels<SoupChannelMaps> {
 public:
@@ -65,7 +65,7 @@ public:
     }
   }
 
-  /// Those that have index triples; the others are empty yet.
+  /// Returns the channels with index triples; the others are still empty.
   template <class Result>
   std::vector<SoupChannel> rewritten(const Result& result, const Array<Index>& faces) const {
     std::vector<SoupChannel> left(maps_.size());
@@ -79,7 +79,7 @@ public:
     return left;
   }
 
-  /// The values that points will have, of each channel that is one over them.
+  /// Returns the new values at points, for each channel over points.
   template <class Result>
   std::vector<std::vector<double>> values(const Result& result, const Array<Index>& vertices,
                                           const Array<Index>& inputs) const {
@@ -111,7 +111,7 @@ public:
     for_each_of_points([&](std::size_t c) { rewritten[c].values = std::move(written_[c]); });
     results_->swap(rewritten);
   }
-  void undo() {} // nothing of the caller's has been written to
+  void undo() {} // the caller's arrays have not been changed
 
 private:
   template <class Visit>
@@ -132,7 +132,7 @@ private:
 
   std::vector<SoupChannelMap> maps_;
   std::vector<SoupChannel>* results_;
-  std::vector<std::vector<double>> written_; // of those over points
+  std::vector<std::vector<double>> written_; // for channels over points
 };
 
 } // namespace quadrille::internal

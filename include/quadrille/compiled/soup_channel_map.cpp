@@ -55,7 +55,7 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
     require(triples.size() == triangles, "has index triples for " +
                                              number_of(triples.size(), "triangles") + " of " +
                                              std::to_string(triangles));
-  else if (triangles > 0) // else nothing tells whether it is over points
+  else if (triangles > 0) // otherwise it is unknown whether the channel is over points
     require(value_count() == points,
             "has " + number_of(value_count(), "values") + " for " + number_of(points, "points"));
   require(options.weights.empty() || options.weights.size() == size,

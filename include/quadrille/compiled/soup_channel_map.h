@@ -15,8 +15,8 @@
 
 namespace quadrille::internal {
 
-/// A channel of a caller's of which kind and components are known at run time only: what ChannelMap
-/// is of those that types tell, to the same bits.
+/// A channel of a caller whose kind and components are only known at run time: the type-erased
+/// counterpart of ChannelMap, with bit-identical results.
 class SoupChannelMap {
 public:
   explicit SoupChannelMap(const SoupChannelView& channel) : channel_(channel) {}
@@ -25,16 +25,16 @@ public:
   bool is_indexed() const { return !channel_.triangles.empty(); }
   std::size_t value_count() const { return channel_.values.size() / channel_.components; }
 
-  /// Throws std::invalid_argument for a channel that makes no sense, which is called `name`.
+  /// Throws std::invalid_argument for an invalid channel, with its `name` in the message.
   void validate(const std::string& name, std::size_t points, std::size_t triangles) const;
 
-  /// With all but corners.
+  /// Returns the input of the channel, except for the corners.
   ChannelInput input(Workspace& workspace) const;
-  /// What is written stays in the limits of what faces had.
+  /// Keeps written values within the range of the faces' values.
   void end_of_reading(ChannelInput& input, const Array<TriangleComplex::Triangle>& triangles);
 
-  /// Appends what a wedge of a result has in place of an old value, by its components in the
-  /// result. `is_new`: a simplification has changed it.
+  /// Appends the value of a wedge in the result, which replaces an old value, from its components.
+  /// `is_new` means that the simplification has changed it.
   void append(std::span<const double> components, bool is_new, Index old,
               std::vector<double>& values) const;
 
@@ -44,14 +44,14 @@ private:
   std::span<const double> raw(Index value) const {
     return channel_.values.subspan(value * channel_.components, channel_.components);
   }
-  /// The number of a value that counts: in linear light if that is asked for.
+  /// Returns the number that the engine uses for a value: in linear light if that is requested.
   double counted(double number, std::size_t component) const;
   double of_user(double number, std::size_t component) const;
-  /// False where there is nothing in range, so that the old value is left.
+  /// Returns false if no value is in range, so that the old value stays.
   bool bring_in_range(std::span<double> value) const;
 
   SoupChannelView channel_;
-  std::vector<double> low_, high_; // of colours
+  std::vector<double> low_, high_; // the range of colours
 };
 
 } // namespace quadrille::internal

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// \file
-/// What the options say of points and triangles, as property maps.
+/// Options of points and triangles as property maps.
 
 namespace quadrille::internal {
 
@@ -26,7 +26,7 @@ struct SoupValues {
   friend Value get(const SoupValues& map, std::size_t i) { return (*map.values)[i]; }
 };
 
-/// The values that there are; none if there are none at all.
+/// Returns the values as a map, or none if there are no values.
 template <class Value>
 std::optional<SoupValues<Value>> values_if_given(const std::vector<Value>& values) {
   if (values.empty())
@@ -34,7 +34,7 @@ std::optional<SoupValues<Value>> values_if_given(const std::vector<Value>& value
   return SoupValues<Value>{&values};
 }
 
-/// What became of each point.
+/// The map from each point to the point that it has become.
 struct PointImages {
   using key_type = std::size_t;
   using value_type = std::size_t;
@@ -47,7 +47,7 @@ struct PointImages {
   }
 };
 
-/// The labels of triangles. What becomes of them is told by the triangles.
+/// The labels of triangles. The result gets them through the triangles' input indices.
 struct SoupLabelMap {
   using key_type = std::size_t;
   using value_type = std::uint32_t;

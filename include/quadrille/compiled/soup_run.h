@@ -9,7 +9,7 @@
 #include <vector>
 
 /// \file
-/// A call on its way to the source that is compiled for its cost.
+/// A call on its way to the source file that is compiled for its cost.
 
 namespace quadrille::internal {
 
@@ -21,13 +21,13 @@ struct SoupRun {
   std::vector<SoupChannel> channels; ///< empty until they are rewritten
   std::vector<std::size_t> image;
 
-  /// Is there anything beside points and triangles?
+  /// Returns whether the soup has anything in addition to points and triangles.
   bool is_carrying() const {
     return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices;
   }
 };
 
-/// Checks a call, lets `simplify` do it, and takes what it leaves.
+/// Checks a call, calls `simplify`, and collects the result.
 SoupResult run_soup(const SoupView& soup, const SoupOptions& options,
                     const std::function<Report(SoupRun&)>& simplify);
 

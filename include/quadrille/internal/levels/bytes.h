@@ -21,8 +21,8 @@
 #endif
 
 /// \file
-/// Numbers as bytes of a file, little-endian on every machine, with checksums and, where the macro
-/// QUADRILLE_WITH_ZSTD is defined, compressed by zstd.
+/// Converts numbers to bytes of a file, little-endian on every machine, with checksums and, if the
+/// macro QUADRILLE_WITH_ZSTD is defined, compressed by zstd.
 
 namespace quadrille::internal {
 
@@ -45,8 +45,8 @@ public:
   void put(T value) {
     append_little_endian(bytes_, value);
   }
-  /// A column of numbers: all first bytes, then all second ones, … which are alike, so that they
-  /// are compressed well.
+  /// Appends an array of numbers: all first bytes, then all second bytes, and so on, since similar
+  /// bytes compress well.
   template <Number T>
   void put_column(const std::vector<T>& column) {
     const std::size_t begin = bytes_.size();
@@ -68,7 +68,7 @@ private:
   Bytes bytes_;
 };
 
-/// Reads them again. Throws std::runtime_error where there are none left.
+/// Reads numbers from bytes. Throws std::runtime_error if there are not enough bytes.
 class ByteReader {
 public:
   explicit ByteReader(std::span<const unsigned char> bytes) : bytes_(bytes) {}
@@ -115,7 +115,7 @@ inline std::uint32_t checksum_of(const Bytes& bytes) {
   return static_cast<std::uint32_t>(checksum.value());
 }
 
-/// Compressed, where zstd is there; else throws std::runtime_error.
+/// Returns compressed bytes. Throws std::runtime_error without zstd.
 inline Bytes compressed([[maybe_unused]] const Bytes& bytes) {
 #ifdef QUADRILLE_WITH_ZSTD
   Bytes packed(ZSTD_compressBound(bytes.size()));
@@ -129,7 +129,7 @@ inline Bytes compressed([[maybe_unused]] const Bytes& bytes) {
   throw std::runtime_error("to compress takes zstd: define QUADRILLE_WITH_ZSTD, link zstd");
 #endif
 }
-/// Those that have become `packed`.
+/// Returns the bytes that were compressed to `packed`.
 inline Bytes decompressed([[maybe_unused]] const Bytes& packed, [[maybe_unused]] std::size_t size) {
 #ifdef QUADRILLE_WITH_ZSTD
   if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != size)

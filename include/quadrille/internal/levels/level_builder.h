@@ -17,19 +17,20 @@ namespace quadrille::internal {
 
 using LevelCorners = std::array<Index, 3>;
 
-/// What has been recorded of items before the first contraction, by input numbers.
+/// The recorded state of items before the first contraction, by input numbers.
 struct RecordedItems {
   std::size_t width = 0;
-  std::vector<LevelCorners> corners; ///< of each face; none for those that are not there
+  std::vector<LevelCorners> corners; ///< for each face; none for faces that are not in the surface
   std::vector<double> values;
 };
 
-/// When items go, and what they become: those of a track over a whole recording.
+/// The removal times of items and the items that they become, for a track over a whole recording.
 struct ItemLives {
-  std::vector<Index> inputs;      ///< of each item by its number, the one that was recorded
-  std::vector<Index> parents;     ///< of each item by its number, what it becomes, or none
-  std::vector<Index> items_after; ///< of each contraction
-  std::vector<Index> numbers;     ///< of each recorded item; or none
+  std::vector<Index> inputs;      ///< for each item by its number, the recorded item
+  std::vector<Index> parents;     ///< for each item by its number, the item that it becomes, or
+                                  ///< none
+  std::vector<Index> items_after; ///< for each contraction
+  std::vector<Index> numbers;     ///< for each recorded item; or none
 };
 
 /// Follows items through all contractions. merges(i, merge) calls merge(kept, gone) for those of
@@ -104,13 +105,13 @@ private:
   const RecordList& records_;
   Merges merges_;
   std::vector<Index> merged_into_;
-  std::vector<Index> corners_; // how many each item has
+  std::vector<Index> corners_; // the number of corners of each item
 };
 
-/// Makes segments of a recording, each from the one before: the faces halve in each.
+/// Makes the segments of a recording, each from the one before; the number of faces halves in each.
 class LevelBuilder {
 public:
-  /// `items`: the vertices, then the wedges of each channel that has seams.
+  /// `items` are the vertices, followed by the wedges of each channel with seams.
   LevelBuilder(std::vector<RecordedItems> items, const RecordList& records)
       : items_(std::move(items)), records_(records) {}
 
@@ -134,7 +135,7 @@ public:
   }
 
   std::vector<LevelSegment> take_segments() { return std::move(segments_); }
-  /// The input indices of faces and vertices, by number.
+  /// Returns the input indices of faces and vertices, by number.
   std::vector<Index> take_faces() { return std::move(faces_); }
   std::vector<Index> take_vertices() { return std::move(vertices_); }
 
@@ -209,7 +210,7 @@ private:
     return segment;
   }
 
-  // Behind the contraction that halves the faces.
+  // Returns the end of the segment, after the contraction that halves the faces.
   std::size_t end_of_segment(std::size_t faces, std::size_t begin) const {
     const auto is_more = [](Index left, std::size_t half) { return left > half; };
     const auto first = faces_after_.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -218,7 +219,7 @@ private:
                                       : static_cast<std::size_t>(half - faces_after_.begin()) + 1;
   }
 
-  // With the contractions from begin to end.
+  // Fills a segment with the contractions from begin to end.
   void fill(LevelSegment& segment, const std::vector<ItemLives>& lives, std::size_t begin,
             std::size_t end) const {
     const auto of_records = [&](const auto& column) {
@@ -280,7 +281,7 @@ private:
   std::vector<RecordedItems> items_;
   const RecordList& records_;
   std::vector<Index> faces_, vertices_; // input indices, by number
-  std::vector<Index> faces_after_;      // of each contraction
+  std::vector<Index> faces_after_;      // for each contraction
   std::vector<LevelSegment> segments_;
 };
 

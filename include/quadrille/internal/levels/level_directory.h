@@ -16,10 +16,10 @@
 
 namespace quadrille::internal {
 
-/// Where a block of a file is: that many bytes, which become others where they are compressed.
+/// The position of a block in a file, its stored size, and its size after decompression.
 struct FileBlock {
   std::uint64_t offset = 0, stored = 0, raw = 0;
-  std::uint32_t checksum = 0; // of what is stored
+  std::uint32_t checksum = 0; // of the stored bytes
   std::uint8_t is_compressed = 0;
 
   void put(ByteWriter& writer) const {
@@ -39,9 +39,9 @@ struct FileBlock {
     return block;
   }
 
-  /// The block of a file of that many bytes.
+  /// Reads the block from a file of the given size.
   Bytes read(std::istream& file, std::uint64_t size) const {
-    constexpr std::uint64_t best_compression = 100'000; // more makes no sense
+    constexpr std::uint64_t best_compression = 100'000; // a greater ratio is invalid
     if (offset > size || stored > size - offset || raw / best_compression > stored ||
         (is_compressed == 0 && raw != stored))
       throw std::runtime_error("a block lies outside of it");
@@ -54,7 +54,7 @@ struct FileBlock {
       throw std::runtime_error("a block is damaged: its checksum differs");
     return is_compressed == 0 ? bytes : decompressed(bytes, raw);
   }
-  /// Writes a block at the end of a file.
+  /// Writes a block to the end of a file.
   static FileBlock write(const Bytes& bytes, bool compresses, std::ostream& file,
                          std::uint64_t offset) {
     const Bytes stored = compresses ? compressed(bytes) : bytes;
@@ -64,7 +64,7 @@ struct FileBlock {
   }
 };
 
-/// What a file of levels has, in front of its blocks.
+/// The header of a file of levels, in front of its blocks.
 struct LevelDirectory {
   static constexpr std::array<unsigned char, 8> magic{0x89, 'Q', 'L', 'V', '\r', '\n', 0x1a, '\n'};
   static constexpr std::uint32_t version = 1;
@@ -73,7 +73,7 @@ struct LevelDirectory {
   struct Channel {
     std::uint32_t track, offset, components;
   };
-  /// A level: at the beginning of each segment, and the coarsest.
+  /// A level at the beginning of a segment, or the coarsest one.
   struct Stage {
     std::uint64_t contractions;
     std::uint32_t faces, vertices;

@@ -12,29 +12,30 @@
 namespace quadrille::internal {
 
 /// Items at the corners of faces (vertices, or wedges of a channel) over a segment of a recording.
-/// They are numbered by when they go, the last to go first, so that those that are there at any
-/// time are 0, 1, … up to their number; and so are faces.
+/// They are numbered by removal, the last removed first, so that the items that exist at any time
+/// are 0, 1, … up to their number. Faces are numbered in the same way.
 struct LevelTrack {
-  std::size_t width = 0; ///< how many numbers an item has
-  /// At the beginning of the segment: the items at the corners of each face, and their numbers.
+  std::size_t width = 0; ///< the number of values of an item
+  /// The items at the corners of each face, and their values, at the beginning of the segment.
   std::vector<std::array<Index, 3>> corners;
   std::vector<double> values;
-  /// Of each item that goes in the segment, from the lowest up: the item that it becomes, which has
-  /// a lower number, or none.
+  /// For each item that is removed in the segment, in ascending order, the item that it becomes,
+  /// which has a lower number, or none.
   std::vector<Index> parents;
-  std::vector<Index> items_after; ///< of each contraction: how many are left
-  /// Of each contraction: where its changes end. A change is an item and its numbers afterwards.
+  std::vector<Index> items_after; ///< for each contraction, the number of remaining items
+  /// For each contraction, the end of its changes. A change is an item and its values after the
+  /// contraction.
   std::vector<Index> change_ends;
   std::vector<Index> changed;
   std::vector<double> changed_values;
 
   std::size_t items() const { return values.size() / width; }
-  /// After that many contractions of the segment.
+  /// Returns the number of items after the given contractions of the segment.
   std::size_t items_at(std::size_t contractions) const {
     return contractions == 0 ? items() : items_after[contractions - 1];
   }
 
-  /// What has become of each item after that many contractions of the segment.
+  /// Returns the item that each item has become after the given contractions of the segment.
   std::vector<Index> images(std::size_t contractions) const {
     const std::size_t left = items_at(contractions);
     std::vector<Index> images(items());
@@ -42,8 +43,8 @@ struct LevelTrack {
     find_images(left, items(), images);
     return images;
   }
-  /// The same of the items that go in the segment, as far as they are among those from `begin` to
-  /// `end`. All before them are known.
+  /// Finds the items that the removed items from `begin` to `end` become. All before them are
+  /// known.
   void find_images(std::size_t begin, std::size_t end, std::vector<Index>& images) const {
     const std::size_t first_to_go = items() - parents.size();
     for (std::size_t i = (std::max)(begin, first_to_go); i < (std::min)(end, items()); ++i) {
@@ -52,7 +53,7 @@ struct LevelTrack {
     }
   }
 
-  /// Calls visit(item, numbers) for what has changed of items that are still there after that many
+  /// Calls visit(item, values) for the changes of items that still exist after the given
   /// contractions of the segment, in their order.
   template <class Visit>
   void for_each_change(std::size_t contractions, Visit visit) const {
@@ -63,7 +64,7 @@ struct LevelTrack {
         visit(changed[i], changed_values.data() + i * width);
   }
 
-  /// The numbers of all items that are there after that many contractions of the segment.
+  /// Returns the values of all items that exist after the given contractions of the segment.
   std::vector<double> values_at(std::size_t contractions) const {
     std::vector<double> left(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(
                                                                   items_at(contractions) * width));
@@ -72,7 +73,7 @@ struct LevelTrack {
     });
     return left;
   }
-  /// The corners of the first faces then.
+  /// Returns the corners of the first faces at that time.
   std::vector<std::array<Index, 3>> corners_at(std::size_t contractions, std::size_t faces) const {
     const std::vector<Index> images = this->images(contractions);
     std::vector<std::array<Index, 3>> left(faces);
@@ -83,12 +84,13 @@ struct LevelTrack {
   }
 };
 
-/// Some contractions of a recording that follow each other, and the surface before the first of
-/// them: enough for any level between.
+/// Consecutive contractions of a recording, and the surface before the first of them: all data for
+/// any level between.
 struct LevelSegment {
-  std::vector<Index> faces_after; ///< of each contraction: how many are left
-  std::vector<float> errors;      ///< of each contraction: the greatest until then
-  std::vector<float> bounds;      ///< the same of distances; empty if they are not known
+  std::vector<Index> faces_after; ///< for each contraction, the number of remaining faces
+  std::vector<float> errors;      ///< for each contraction, the greatest error so far
+  std::vector<float> bounds;      ///< for each contraction, the greatest distance so far; empty if
+                                  ///< distances are not known
   bool are_bounds_both_ways = false;
   float error_before = 0, bound_before = 0;
   std::vector<LevelTrack> tracks; ///< the vertices, then the wedges of each channel with seams

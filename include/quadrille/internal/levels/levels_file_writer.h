@@ -46,7 +46,7 @@ public:
       offset += block.stored;
       return block;
     };
-    write_front(file); // of the same length as it will have
+    write_front(file); // of its final length
     offset = static_cast<std::uint64_t>(file.tellp());
     for (std::size_t s = levels_.segments_.size(); s-- > 0;)
       directory_.segments[s] =
@@ -82,7 +82,8 @@ private:
                  static_cast<std::streamsize>(bytes.size()));
   }
 
-  // Of what goes in a segment, or is there at its end if it is the last.
+  // Returns the input indices of the items that are removed in a segment, and for the last segment
+  // also of those at its end.
   Bytes inputs(std::size_t s) const {
     const bool is_last = s + 1 == levels_.segments_.size();
     const Stage &begin = directory_.stages[s], &end = directory_.stages[s + 1];

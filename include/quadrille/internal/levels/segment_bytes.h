@@ -28,7 +28,7 @@ namespace quadrille::internal {
 ///       u32 [changes] the items that change; f32 or f64 [changes] their numbers, a column each
 class SegmentBytes {
 public:
-  /// Numbers are doubles, or floats where that is asked for or changes none.
+  /// Writes numbers as doubles, or as floats if that is requested or changes none of them.
   static Bytes write(const LevelSegment& segment, bool rounds_to_floats) {
     ByteWriter writer;
     writer.put(static_cast<std::uint32_t>(segment.contractions()));
@@ -46,7 +46,7 @@ public:
     return writer.take();
   }
 
-  /// Throws std::runtime_error for bytes that are no segment.
+  /// Throws std::runtime_error for bytes that are not a segment.
   static LevelSegment read(const Bytes& bytes, const std::vector<std::size_t>& widths) {
     ByteReader reader(bytes);
     LevelSegment segment;
@@ -76,7 +76,7 @@ private:
       throw std::runtime_error(what);
   }
 
-  // By how much a column falls from each number to the next, which is small.
+  // Returns the decrease of an array from each number to the next, which is small.
   static std::vector<Index> steps_down(const std::vector<Index>& column, std::size_t before) {
     std::vector<Index> steps;
     steps.reserve(column.size());
@@ -115,7 +115,7 @@ private:
     return steps;
   }
 
-  // Small numbers, in a byte each if that is enough.
+  // Writes small numbers, in a byte each if that is enough.
   static void put_small(const std::vector<Index>& column, ByteWriter& writer) {
     const bool are_bytes =
         std::all_of(column.begin(), column.end(), [](Index value) { return value < 256; });
@@ -236,15 +236,15 @@ private:
 
   static void require_ascending(const std::vector<float>& column, float before) {
     for (float value : column) {
-      require(value >= before, "an error falls"); // false of what is no number
+      require(value >= before, "an error falls"); // false for a NaN
       before = value;
     }
   }
 
-  // As long as a face is there, so are its corners.
+  // Requires that the corners of a face exist as long as the face.
   static void require_images(const LevelSegment& segment, const LevelTrack& track) {
     const std::size_t first = track.items() - track.parents.size();
-    std::vector<Index> last(track.items()); // the item that each becomes in the end
+    std::vector<Index> last(track.items()); // the item that each one finally becomes
     for (Index i = 0; i < last.size(); ++i)
       last[i] = i < first || track.parents[i - first] == none ? i : last[track.parents[i - first]];
     std::vector<Index> end(track.items(), static_cast<Index>(segment.contractions()));
@@ -260,8 +260,8 @@ private:
         require(end[last[item]] >= face_end[f], "a face loses a corner");
   }
 
-  // A contraction that changes a vertex lets the last one that is there become it; others that go
-  // with it become none. LevelSteps tells contractions by that.
+  // Requires that a contraction that changes a vertex merges the last remaining vertex into it, and
+  // that other vertices removed with it become none. LevelSteps recognizes contractions by this.
   static void require_steps(const LevelTrack& vertices) {
     const std::size_t first = vertices.items() - vertices.parents.size();
     std::size_t begin = 0;
