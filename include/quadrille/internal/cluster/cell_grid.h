@@ -12,19 +12,21 @@
 
 namespace quadrille::internal {
 
-/// A box cut into equal cells along its axes. A cell has its lower sides and not its upper ones,
-/// but for the last one along an axis, which has both.
+/// A box that is cut into equal cells along its axes. A cell includes its lower sides but not its
+/// upper ones, except for the last cell along an axis, which includes both.
 class CellGrid {
 public:
-  using Counts = std::array<double, 3>; ///< of cells along each axis, whole numbers from 1
+  using Counts = std::array<double, 3>; ///< the numbers of cells along each axis, whole numbers
+                                        ///< from 1
 
-  /// That many cells fill the box.
+  /// Fills the box with that many cells.
   CellGrid(const Box<3>& box, const Counts& counts) : low_(box.low), counts_(counts) {
     for (std::size_t i = 0; i < 3; ++i)
       width_[i] = (box.high[i] - box.low[i]) / counts_[i];
   }
 
-  /// Cubes from the lower corner on; the last ones may reach beyond the box.
+  /// Returns a grid of cubes that begins at the lower corner; the last cubes may reach beyond the
+  /// box.
   static CellGrid of_cubes(const Box<3>& box, double edge) {
     edge = (std::min)(edge, 0x1p60); // which holds any box in the engine's unit
     Counts counts;
@@ -41,7 +43,7 @@ public:
            counts_[0] * counts_[1] * counts_[2] <= 0x1p63;
   }
 
-  /// Of the cell in which a point of the box lies.
+  /// Returns the number of the cell in which a point of the box lies.
   std::uint64_t number(const Vector<3>& p) const {
     std::uint64_t number = 0;
     for (std::size_t i = 3; i-- > 0;)
@@ -50,7 +52,8 @@ public:
     return number;
   }
 
-  /// Which part of the way from `begin`, in the cell of p, to `end` is in that cell, from 0 to 1.
+  /// Returns the fraction, from 0 to 1, of the segment from `begin`, in the cell of p, to `end`
+  /// that is in that cell.
   double part_in_cell_of(const Vector<3>& p, const Vector<3>& begin, const Vector<3>& end) const {
     double part = 1;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -63,7 +66,7 @@ public:
   }
 
   const Counts& counts() const { return counts_; }
-  const Vector<3>& width() const { return width_; } ///< of a cell; 0 where the box is flat
+  const Vector<3>& width() const { return width_; } ///< the size of a cell; 0 where the box is flat
 
 private:
   double along(std::size_t i, const Vector<3>& p) const {

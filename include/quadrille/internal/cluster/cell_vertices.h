@@ -15,9 +15,9 @@
 
 namespace quadrille::internal {
 
-/// The eigenvalues of a symmetric matrix, in no order, and unit eigenvectors, by the cyclic Jacobi
-/// method (Golub and Van Loan, Matrix Computations, section 8.5): small eigenvalues of a positive
-/// matrix are exact to the rounding of the greatest.
+/// Computes the eigenvalues of a symmetric matrix, in no order, and unit eigenvectors, by the
+/// cyclic Jacobi method (Golub and Van Loan, Matrix Computations, section 8.5): small eigenvalues
+/// of a positive matrix are accurate to the rounding error of the greatest.
 class Eigenvectors {
 public:
   explicit Eigenvectors(SymmetricMatrix<3> a) {
@@ -45,7 +45,7 @@ private:
     const double off = a(p, q);
     if (off == 0)
       return;
-    const double cotangent = (a(q, q) - a(p, p)) / (2 * off); // of twice the angle
+    const double cotangent = (a(q, q) - a(p, p)) / (2 * off); // the cotangent of twice the angle
     const double tangent =
         std::copysign(1 / (std::abs(cotangent) + std::hypot(cotangent, 1.0)), cotangent);
     const double cosine = 1 / std::sqrt(tangent * tangent + 1), sine = tangent * cosine;
@@ -65,10 +65,10 @@ private:
   std::array<Vector<3>, 3> vectors_;
 };
 
-/// Where the vertices of cells are.
+/// The positions of the vertices of cells.
 class CellVertices {
 public:
-  /// At the means of the points of each cell.
+  /// Places the vertices at the means of the points of each cell.
   template <class Soup>
   CellVertices(const Soup& soup, const Clusters& clusters) : cells_(clusters.cell_count()) {
     for (Index v = 0; v < soup.point_count(); ++v)
@@ -78,8 +78,8 @@ public:
       cell.displacement *= 1 / static_cast<double>(cell.points);
   }
 
-  /// Moves them to where the planes of the triangles at a cell's points are nearest, or as far
-  /// towards that as the cell goes: so those of a flat part stay in its plane.
+  /// Moves each vertex to the point nearest to the planes of the triangles at its cell's points, or
+  /// as far towards it as the cell extends: so the vertices of a flat region stay in its plane.
   template <class Soup>
   void minimize_quadrics(const Soup& soup, const Clusters& clusters, const CellGrid& grid) {
     const std::vector<QuadricForm<3>> quadrics = quadrics_of(soup, clusters);
@@ -93,12 +93,13 @@ public:
     }
   }
 
-  /// A point of the cell, the first one.
+  /// The first point of the cell.
   Index first(Index cell) const { return cells_[cell].first; }
   Vector<3> position(Index cell) const { return cells_[cell].anchor + cells_[cell].displacement; }
 
 private:
-  // Sums are about a point of the cell, so they are as exact far from the origin as near to it.
+  // Sums are relative to a point of the cell, so they are as accurate far from the origin as near
+  // to it.
   struct Cell {
     Vector<3> anchor, displacement; // the first point, and the vertex from there
     Index first = none, points = 0;
@@ -112,7 +113,7 @@ private:
     }
   };
 
-  // Of each cell, about its anchor.
+  // Returns the quadric of each cell, relative to its anchor.
   template <class Soup>
   std::vector<QuadricForm<3>> quadrics_of(const Soup& soup, const Clusters& clusters) const {
     std::vector<QuadricForm<3>> quadrics(cells_.size());
@@ -131,10 +132,10 @@ private:
     return quadrics;
   }
 
-  /// The minimizer that is nearest to `mean` where eigenvalues of the form are below 10⁻³ of the
-  /// greatest and so leave directions free. Source: Lindstrom, Out-of-core simplification of large
-  /// polygonal models, 2000, section 3.3, who begins in the middle of the cell instead: from the
-  /// mean flat parts with borders do not grow.
+  /// Returns the minimizer that is nearest to `mean`: eigenvalues of the form below 10⁻³ of the
+  /// greatest leave directions free. Source: Lindstrom, Out-of-core simplification of large
+  /// polygonal models, 2000, section 3.3, which begins at the centre of the cell instead; beginning
+  /// at the mean keeps flat regions with boundaries from growing.
   static Vector<3> robust_minimizer(const QuadricForm<3>& form, const Vector<3>& mean) {
     const Eigenvectors eigen(form.matrix());
     const double greatest = (std::max)({eigen.value(0), eigen.value(1), eigen.value(2)});

@@ -23,15 +23,16 @@ namespace quadrille::internal {
   throw std::invalid_argument("quadrille::cluster_vertices: " + what);
 }
 
-/// A soup of the user's, read where it is: nothing is copied. Positions are in the engine's unit.
+/// The user's soup, read in place: nothing is copied. Positions are in the engine's unit.
 template <class Points, class Triangles>
 class ClusteredSoup {
 public:
   using Point = std::ranges::range_value_t<Points>;
   using Corners = std::array<Index, 3>;
 
-  /// Throws std::invalid_argument for a triangle that is none or names a point that is not there,
-  /// and for a point that is not finite; std::length_error where 32 bits do not number them.
+  /// Throws std::invalid_argument for an invalid triangle, for a triangle that names a point that
+  /// does not exist, and for a point that is not finite; throws std::length_error if 32 bits cannot
+  /// number the points and triangles.
   ClusteredSoup(Points& points, Triangles& triangles) : points_(points), triangles_(triangles) {
     require_numbers("quadrille::cluster_vertices", point_count(), triangle_count());
     for (std::size_t v = 0; v < point_count(); ++v)
@@ -50,7 +51,7 @@ public:
   std::size_t point_count() const { return std::ranges::size(points_); }
   std::size_t triangle_count() const { return std::ranges::size(triangles_); }
 
-  /// Has it a triangle of three different points?
+  /// Does a triangle of three different points use it?
   bool is_used(std::size_t v) const { return is_used_[v] != 0; }
 
   Vector<3> position(std::size_t v) const {
@@ -61,18 +62,19 @@ public:
     return {static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2])};
   }
 
-  /// Of the points that are used.
+  /// The box around the points that are used.
   Box<3> box() const {
     return box_of([this](std::size_t v) { return position(v); });
   }
   const Scale<3>& scale() const { return scale_; }
 
-  /// A point like v at a position.
+  /// Returns a point like v at another position.
   Point moved(std::size_t v, const Vector<3>& x) const {
     return x == position(v) ? points_[v] : point_at<Point>(scale_.position_of_mesh(x));
   }
 
-  /// The points point(i) and, of the triangles in `left`, the corners corner(point of the input).
+  /// Rewrites the soup: its points become point(i), and its triangles those in `left`, with the
+  /// corners corner(point of the input).
   void rewrite(std::size_t size, const auto& point, const std::vector<Index>& left,
                const auto& corner) {
     Points points = empty_like(points_);
@@ -88,7 +90,7 @@ public:
   }
 
 private:
-  // As Box asks for them.
+  // This is the interface that Box requires.
   template <class PositionAt>
   struct Positions {
     std::size_t count;

@@ -13,8 +13,8 @@
 
 namespace quadrille::internal {
 
-/// All bits of the result depend on all bits of x (the finalizer of Steele, Lea and Flood's
-/// SplitMix64, 2014).
+/// All bits of the result depend on all bits of x (the finalizer of SplitMix64 by Steele, Lea and
+/// Flood, 2014).
 constexpr std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EB;
@@ -24,14 +24,15 @@ constexpr std::uint64_t mixed(const std::array<Index, 3>& key) {
   return mixed(mixed(std::uint64_t{key[0]} << 32 | key[1]) ^ key[2]);
 }
 
-/// Numbers keys 0, 1, … in the order in which they first come: a hash table that is at most half
-/// full. Expected time O(1) a key; 8 to 16 bytes for each one beside the key itself.
+/// Numbers keys 0, 1, … in the order of their first occurrence, by a hash table that is at most
+/// half full. The expected time is O(1) per key; each key takes 8 to 16 bytes in addition to the
+/// key itself.
 template <class Key>
 class DistinctKeys {
 public:
   std::size_t size() const { return keys_.size(); }
 
-  /// The number of a key, which is size() before the call if the key is new.
+  /// Returns the number of the key, which is the value of size() before the call if the key is new.
   Index number(const Key& key) {
     if (2 * (keys_.size() + 1) > slots_.size())
       grow();
@@ -49,7 +50,7 @@ public:
   }
 
 private:
-  // That of the key, or the empty one where it belongs.
+  // Returns the slot of the key, or the empty slot in which it belongs.
   Index& slot_of(const Key& key) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = static_cast<std::size_t>(mixed(key)) & mask;
@@ -65,14 +66,14 @@ private:
   }
 
   std::vector<Key> keys_;
-  std::vector<Index> slots_; // as many as a power of two
+  std::vector<Index> slots_; // their number is a power of two
 };
 
-/// The cells in which a soup has points, and its triangles between three of them: of those with the
-/// same three, in any order, the first.
+/// The cells in which a soup has points, and its triangles between three of them. If several
+/// triangles have the same three cells, in any order, the first one is kept.
 class Clusters {
 public:
-  /// Ends early once there are more than `most_faces` triangles.
+  /// Ends early as soon as there are more than `most_faces` triangles.
   template <class Soup>
   void assign(const Soup& soup, const CellGrid& grid,
               std::size_t most_faces = (std::numeric_limits<std::size_t>::max)()) {
@@ -81,14 +82,15 @@ public:
   }
 
   std::size_t cell_count() const { return cells_.size(); }
-  /// Of a point, by the order of the first points of cells; `none` if the point is not used.
+  /// The cell of a point, numbered by the order of the first points of cells; `none` if the point
+  /// is not used.
   Index cell(Index point) const { return cell_of_[point]; }
 
   /// The triangles that are left, by their numbers in the soup.
   const std::vector<Index>& faces() const { return inputs_; }
-  /// How many were left out because one between the same cells is left.
+  /// The number of triangles that were left out because one between the same cells is kept.
   std::size_t doubled_faces() const { return doubled_faces_; }
-  /// How many triangles of the soup were looked at until it ended.
+  /// The number of triangles of the soup that were examined until it ended.
   std::size_t faces_seen() const { return faces_seen_; }
 
 private:
@@ -113,7 +115,7 @@ private:
         corner = cell_of_[corner];
       std::sort(triple.begin(), triple.end());
       if (triple[0] == triple[1] || triple[1] == triple[2] || triple[2] == none)
-        continue; // it vanishes, or has been a triangle of two points
+        continue; // it vanishes, or had only two different points
       if (triples_.number(triple) == inputs_.size())
         inputs_.push_back(static_cast<Index>(face));
       else
@@ -122,7 +124,7 @@ private:
   }
 
   DistinctKeys<std::uint64_t> cells_;
-  std::vector<Index> cell_of_; // of each point
+  std::vector<Index> cell_of_; // for each point
   DistinctKeys<std::array<Index, 3>> triples_;
   std::vector<Index> inputs_;
   std::size_t faces_seen_ = 0, doubled_faces_ = 0;

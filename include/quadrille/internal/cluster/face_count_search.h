@@ -12,15 +12,16 @@
 
 namespace quadrille::internal {
 
-/// Looks for a fine grid of cubes that leaves at most that many faces.
+/// Searches for a fine grid of cubes that leaves at most that many faces.
 ///
-/// Faces of a surface are about as many as the square of the cells along a side. So the next grid
-/// is guessed from the one before, which takes two to four steps; after ten the rest is halved.
+/// The number of faces of a surface grows about as the square of the number of cells along a side.
+/// So the next grid is estimated from the previous one, which takes two to four steps; after ten
+/// steps the interval is bisected.
 class FaceCountSearch {
 public:
-  /// What it leaves in `clusters` is no result, but memory that need not be asked for again.
-  /// With a cell more along the longest side of the box there are more than `most` faces, or it
-  /// has the 2²⁰ cells that are the most.
+  /// The contents of `clusters` afterwards are not a result, but memory that can be reused. With
+  /// one more cell along the longest side of the box there would be more than `most` faces, or the
+  /// grid has 2²⁰ cells, which is the maximum.
   template <class Soup>
   static CellGrid grid(const Soup& soup, std::size_t most, Clusters& clusters) {
     const Box<3> box = soup.box();
@@ -50,13 +51,14 @@ private:
   bool is_done() const { return too_fine_ - fitting_ <= 1; }
   std::uint64_t halved() const { return fitting_ + (too_fine_ - fitting_) / 2; }
 
-  // Between what is known; the coarsest where there is no guess, which is no number then.
+  // Returns a count between the known bounds; the coarsest grid if there is no estimate, which is
+  // NaN then.
   std::uint64_t guessed() const {
     const auto low = static_cast<double>(fitting_ + 1), high = static_cast<double>(too_fine_ - 1);
     return static_cast<std::uint64_t>(guess_ >= low ? (std::min)(guess_, high) : low);
   }
 
-  // `growth` is how many times as many faces there may be.
+  // `growth` is the ratio by which the number of faces may grow.
   void tell(std::uint64_t cells, bool fits, double growth) {
     (fits ? fitting_ : too_fine_) = cells;
     guess_ = static_cast<double>(cells) * std::sqrt(growth);

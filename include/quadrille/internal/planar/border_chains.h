@@ -15,10 +15,10 @@
 
 namespace quadrille::internal {
 
-/// Makes borders of patches straight, alike for all patches at them.
+/// Straightens the boundaries of patches, in the same way for all patches that share them.
 ///
-/// Border edges between kept vertices are *chains*, which are thinned out; of one that is closed at
-/// least three vertices stay. Two chains do not become one edge.
+/// Boundary edges between kept vertices form *chains*, which are thinned out; a closed chain keeps
+/// at least three vertices. Two chains never become one edge.
 class BorderChains {
 public:
   BorderChains(PatchBorders& borders, std::span<const Vector<3>> positions, double tolerance)
@@ -42,7 +42,7 @@ public:
 private:
   using Chain = std::vector<Index>;
 
-  // Two neighbours of each vertex on a border that is not kept.
+  // Links each vertex of a boundary that is not kept with its two neighbours.
   void link() {
     for (const auto& [v, w] : borders_.edges())
       for (const auto& [one, other] : {std::pair(v, w), std::pair(w, v)})
@@ -51,8 +51,8 @@ private:
   }
   bool is_free(Index v) const { return borders_.degree(v) == 2 && !borders_.is_kept(v); }
 
-  // The chain that begins at a kept vertex along an edge, unless it has been collected from its
-  // end.
+  // Collects the chain that begins at a kept vertex along an edge, unless it has been collected
+  // from its other end.
   void collect(Index first, Index second) {
     if (is_free(first) || !is_free(second) || is_seen_[second])
       return;
@@ -61,13 +61,13 @@ private:
       v = advance(chain, v);
     chains_.push_back(std::move(chain));
   }
-  // One without kept vertices; it begins and ends where it is farthest from some vertex, which is a
-  // corner of its convex hull.
+  // Collects a chain without kept vertices; it begins and ends where it is farthest from some
+  // vertex, which is a corner of its convex hull.
   void collect_loop(Index any) {
     Chain loop{neighbors_[any][1]};
     for (Index v = any; !is_seen_[v];)
       v = advance(loop, v);
-    loop.pop_back(); // it has come round
+    loop.pop_back(); // the chain is closed
     const Vector<3> p = positions_[any];
     const auto start = std::max_element(loop.begin(), loop.end(), [&](Index v, Index w) {
       return squared_distance(positions_[v], p) < squared_distance(positions_[w], p);
@@ -77,7 +77,7 @@ private:
     borders_.keep(loop.front());
     chains_.push_back(std::move(loop));
   }
-  // Appends a vertex behind the last, and returns the next one.
+  // Appends a vertex after the last one, and returns the next one.
   Index advance(Chain& chain, Index v) {
     const Index last = chain.back();
     chain.push_back(v);
@@ -95,7 +95,8 @@ private:
         borders_.keep(chain[i]);
   }
 
-  // Keeps all vertices of those parts of chains that would have the same two ends as another one.
+  // Keeps all vertices of those sections of chains that would have the same two ends as another
+  // section.
   void keep_apart() {
     struct Part {
       PatchBorders::Edge ends;

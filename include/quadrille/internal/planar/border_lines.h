@@ -14,9 +14,9 @@
 
 namespace quadrille::internal {
 
-/// The edges that one face has, each both ways round, in order.
+/// Returns the edges that only one face has, each in both directions, in order.
 inline std::vector<std::array<Index, 2>> border_edges_of(const SurfaceView& surface) {
-  std::vector<std::array<Index, 2>> sides; // of faces, the lower end first
+  std::vector<std::array<Index, 2>> sides; // the sides of faces, the lower end first
   for (const auto& [a, b, c] : surface.triangles)
     if (a != b && b != c && c != a)
       for (const auto& [v, w] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
@@ -35,10 +35,11 @@ inline std::vector<std::array<Index, 2>> border_edges_of(const SurfaceView& surf
   return edges;
 }
 
-/// The borders of a surface, cut into lines: from a vertex that stays, or that has not two edges of
-/// the border, to the next one; a loop without any from its least point to that again. A line is
-/// the same whatever the surface around it is, and whatever the numbers of its vertices are: of its
-/// two directions it has the one in which its points come first in order.
+/// The boundaries of a surface, cut into lines. A line runs from a vertex that stays, or that does
+/// not have exactly two boundary edges, to the next such vertex; a loop without such a vertex runs
+/// from its least point to that point again. A line does not depend on the surface around it or on
+/// the numbers of its vertices: of its two directions it has the one in which its points come first
+/// in order.
 class BorderLines {
 public:
   explicit BorderLines(const SurfaceView& surface)
@@ -56,9 +57,9 @@ public:
         add_loop(v);
   }
 
-  /// Each with both of its ends.
+  /// Each line includes both of its ends.
   const std::vector<std::vector<Index>>& lines() const { return lines_; }
-  /// Those with which a vertex has an edge of the border.
+  /// The vertices with which a vertex has a boundary edge.
   std::span<const std::array<Index, 2>> neighbours(Index v) const {
     const auto [begin, end] = std::equal_range(
         edges_.begin(), edges_.end(), std::array<Index, 2>{v, 0},
@@ -69,7 +70,7 @@ public:
 private:
   bool is_before(Index v, Index w) const { return points_[v].coordinates < points_[w].coordinates; }
 
-  // Along the border from v over w to the next end, or back to v.
+  // Follows the boundary from v over w to the next end, or back to v.
   std::vector<Index> follow(Index v, Index w) {
     std::vector<Index> line{v, w};
     while (!is_end_[w] && w != line.front()) {

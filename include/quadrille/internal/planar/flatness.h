@@ -17,12 +17,14 @@
 
 namespace quadrille::internal {
 
-/// How far from flat a patch may be, in the unit of the positions.
+/// The allowed deviation of a patch from a plane, in the unit of the positions.
 struct FlatLimits {
   double height;       ///< the greatest distance of its vertices to its plane
-  double cosine;       ///< the least, of the angle between the normals of a face and of the plane
-  double attributes;   ///< how far a component may be from affine, as a part of its range
-  double thinnest = 0; ///< a face that is no higher says nothing by its normal
+  double cosine;       ///< the least cosine of the angle between the normals of a face and of the
+                       ///< plane
+  double attributes;   ///< the allowed deviation of a component from an affine function, as a
+                       ///< fraction of its range
+  double thinnest = 0; ///< the normal of a face that is no higher than this is ignored
 };
 
 /// A plane, with the side to which the normal of length 1 points.
@@ -31,7 +33,7 @@ struct Plane {
   double height(const Vector<3>& p) const { return dot(p - origin, normal); }
 };
 
-/// A surface with channels, as patches see it.
+/// A surface with channels, as patches use it.
 struct PatchSurface {
   std::span<const Vector<3>> positions;
   const SurfaceSides& sides;
@@ -46,10 +48,11 @@ struct PatchSurface {
   }
 };
 
-/// The plane of a patch, and all components of its channels as affine functions, of three corners.
+/// The plane of a patch, and all components of its channels as affine functions, determined by
+/// three corners.
 class AffinePatch {
 public:
-  /// `corners`: sides that lead to them.
+  /// `corners` are sides that lead to the corners.
   AffinePatch(const PatchSurface& surface, const Plane& plane, std::array<Index, 3> corners)
       : plane_(plane), origin_(surface.position(corners[0])) {
     const Vector<3> p = surface.position(corners[1]) - origin_;
@@ -67,7 +70,7 @@ public:
 
   const Plane& plane() const { return plane_; }
 
-  /// Is function i this value at a position, but for a tolerance?
+  /// Does function i have this value at a position, within a tolerance?
   bool has_value(std::size_t i, const Vector<3>& p, double value, double tolerance) const {
     const auto& [first, gradient] = functions_[i];
     return std::abs(first + dot(gradient, p - origin_) - value) <= tolerance;
@@ -84,7 +87,7 @@ private:
   std::vector<Affine> functions_;
 };
 
-/// Which faces lie in a patch.
+/// Decides which faces lie in a patch.
 class Flatness {
 public:
   Flatness(const PatchSurface& surface, const FlatLimits& limits)
@@ -107,7 +110,7 @@ public:
     return has_normal(face, patch.plane().normal) && has_values(face, patch);
   }
 
-  /// The patch of a face by itself, if it has an area.
+  /// Returns the patch of a single face, if it has an area.
   std::optional<AffinePatch> patch_of(Index face) const {
     const Vector<3> n = surface_.area_vector(face);
     const double length = std::sqrt(squared_length(n));
@@ -117,8 +120,8 @@ public:
                        {3 * face, 3 * face + 1, 3 * face + 2});
   }
 
-  /// The patch of several faces: the plane in the middle of their vertices with their mean normal,
-  /// and the functions of three corners that lie far apart.
+  /// Returns the patch of several faces: the plane through the centre of their vertices with their
+  /// mean normal, and the functions determined by three corners that lie far apart.
   std::optional<AffinePatch> patch_of(std::span<const Index> faces) const {
     Vector<3> n;
     for (Index f : faces)
@@ -139,7 +142,7 @@ public:
   }
 
 private:
-  // Within the angle, or so thin that its normal says nothing.
+  // Is the normal within the angle, or the face so thin that its normal is unreliable?
   bool has_normal(Index face, const Vector<3>& normal) const {
     const Vector<3> n = surface_.area_vector(face);
     const double length = std::sqrt(squared_length(n));
@@ -162,8 +165,8 @@ private:
     return true;
   }
 
-  // Of the largest triangle with the first corner and that farthest from it; none if that has no
-  // area.
+  // Returns the corners of the largest triangle with the first corner and the corner farthest from
+  // it; none if that triangle has no area.
   std::optional<std::array<Index, 3>> far_corners(std::span<const Index> faces) const {
     const auto farthest = [&](auto measure) {
       Index best = none;
@@ -191,7 +194,7 @@ private:
 
   PatchSurface surface_;
   FlatLimits limits_;
-  std::vector<double> tolerances_; // of each component of all channels
+  std::vector<double> tolerances_; // for each component of all channels
 };
 
 } // namespace quadrille::internal

@@ -15,13 +15,13 @@
 
 namespace quadrille::internal {
 
-/// The borders of patches, and which vertices are *kept*: the corners of borders, and what must
-/// stay.
+/// The boundaries of patches, and which vertices are *kept*: the corners of boundaries, and the
+/// vertices that must stay.
 ///
 /// The corners around a vertex that are connected within a patch are a *sector*: an open one
-/// between two border sides, or a closed one. A border vertex is kept unless exactly two border
-/// edges meet there, each sector lies between these two, and no other border vertex is at its
-/// place.
+/// between two boundary sides, or a closed one. A boundary vertex is kept unless exactly two
+/// boundary edges meet there, each sector lies between these two, and no other boundary vertex is
+/// at its position.
 class PatchBorders {
 public:
   using Edge = std::array<Index, 2>; ///< two vertices
@@ -46,19 +46,19 @@ public:
   }
 
   bool is_border(Index side) const { return next_[side] != none; }
-  /// The border side that follows one around the same patch.
+  /// The boundary side that follows a given one around the same patch.
   Index next(Index side) const { return next_[side]; }
 
   bool is_kept(Index v) const { return is_kept_[v] != 0; }
   void keep(Index v) { is_kept_[v] = 1; }
-  /// How many border edges a vertex has.
+  /// The number of boundary edges of a vertex.
   Index degree(Index v) const { return degree_[v]; }
-  /// The lowest vertex at its place of those that are on borders, or kept.
+  /// The lowest of the vertices at its position that are on boundaries or kept.
   Index place(Index v) const { return place_[v]; }
 
-  /// All border edges.
+  /// All boundary edges.
   const std::vector<Edge>& edges() const { return edges_; }
-  /// Of each closed sector, a side that leads to it.
+  /// For each closed sector, a side that leads to it.
   const std::vector<Index>& closed_sectors() const { return closed_sectors_; }
 
 private:
@@ -76,10 +76,10 @@ private:
     });
   }
 
-  // Of each vertex: does each of its sectors lie between two different edges?
+  // Finds for each vertex whether each of its sectors lies between two different edges.
   std::vector<unsigned char> find_sectors() {
     std::vector<unsigned char> is_through(degree_.size(), 1);
-    std::vector<unsigned char> is_seen(next_.size(), 0); // of each corner
+    std::vector<unsigned char> is_seen(next_.size(), 0); // for each corner
     for (Index s = 0; s < next_.size(); ++s) {
       if (!is_border(s))
         continue;
@@ -101,7 +101,7 @@ private:
     return is_through;
   }
 
-  // Keeps border vertices that share a place.
+  // Keeps boundary vertices that share a position.
   void find_places(std::span<const Vector<3>> positions) {
     std::iota(place_.begin(), place_.end(), Index{0});
     std::vector<Index> order;
@@ -121,7 +121,7 @@ private:
   }
 
   const SurfaceSides& sides_;
-  std::vector<Index> next_; // of each border side; none of others
+  std::vector<Index> next_; // for each boundary side; none for others
   std::vector<Index> degree_;
   std::vector<unsigned char> is_kept_;
   std::vector<Index> place_;

@@ -15,27 +15,27 @@
 
 namespace quadrille::internal {
 
-/// A part of a surface in which faces that are joined by edges lie in one plane.
+/// A region of a surface whose faces are connected across edges and lie in one plane.
 struct PlanarPatch {
   std::vector<Index> faces; ///< ascending
-  Vector<3> normal;         ///< of length 1; of a face without area by itself, 0
+  Vector<3> normal;         ///< of length 1; 0 for a single face without area
 };
 
-/// Finds planar patches by growing each from the largest face that is left.
+/// Finds planar patches by growing each from the largest remaining face.
 ///
-/// A patch takes over what fits across edges that may be crossed. Then its plane is taken anew from
-/// all of its faces, and it grows once more from the same face, as long as it becomes larger: so a
-/// small face at which it begins need not tell its plane to the last bit.
+/// A patch takes in faces that fit across edges that may be crossed. Then its plane is computed
+/// again from all of its faces, and the patch grows again from the same face, as long as it becomes
+/// larger: so a small first face need not determine the plane to the last bit.
 template <class MayCross>
 class PatchGrowth {
 public:
-  /// may_cross(side): may a patch have the faces on both sides of an edge? It is asked of sides
-  /// that have a mate.
+  /// may_cross(side) says whether a patch may have the faces on both sides of an edge. It is called
+  /// for sides that have a mate.
   PatchGrowth(const PatchSurface& surface, const FlatLimits& limits, MayCross may_cross)
       : surface_(surface), flatness_(surface, limits), may_cross_(may_cross),
         patch_of_(surface.sides.face_count(), none), round_of_(patch_of_.size(), 0) {}
 
-  /// All patches, of which each triangle is in one.
+  /// Returns all patches; each triangle is in exactly one.
   std::vector<PlanarPatch> patches() {
     std::vector<PlanarPatch> patches;
     for (Index seed : by_area())
@@ -46,7 +46,8 @@ public:
       }
     return patches;
   }
-  /// Of each face, after patches(); none of what is no triangle.
+  /// Returns the patch of each face, after patches() has been called; none for a face that is not a
+  /// triangle.
   std::vector<Index> take_patch_of() { return std::move(patch_of_); }
 
 private:
@@ -105,7 +106,7 @@ private:
   Flatness flatness_;
   MayCross may_cross_;
   std::vector<Index> patch_of_;
-  std::vector<Index> round_of_; // when a face was last taken
+  std::vector<Index> round_of_; // the round in which a face was last taken
   Index round_ = 0;
 };
 

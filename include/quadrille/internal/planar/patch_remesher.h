@@ -21,15 +21,15 @@
 
 namespace quadrille::internal {
 
-/// Triangulates all patches anew between their kept vertices.
+/// Triangulates all patches again between their kept vertices.
 ///
-/// A patch for which that does not work gets all vertices of its border back, as the patches beside
-/// it do; if it still does not, its faces stay as they are. It does not work if the patch can't be
+/// If that fails for a patch, all vertices of its boundary are restored, also for the adjacent
+/// patches; if it still fails, its faces stay as they are. It fails if the patch can't be
 /// triangulated, if its topology would change, or if one of its new edges has the same ends as
 /// another edge.
 class PatchRemesher {
 public:
-  /// How much of a patch stays.
+  /// The amount of a patch that stays.
   enum class Kept : unsigned char { corners, border, all };
 
   PatchRemesher(std::span<const Vector<3>> positions, const SurfaceSides& sides,
@@ -70,7 +70,8 @@ public:
     return faces;
   }
   std::size_t patch_count() const { return patches_.size(); }
-  /// How many patches have kept that much because they could not be triangulated with less.
+  /// Returns the number of patches that kept this much because they could not be triangulated with
+  /// less.
   std::size_t count(Kept kept) const {
     return static_cast<std::size_t>(std::count_if(
         states_.begin(), states_.end(), [&](const State& state) { return state.kept == kept; }));
@@ -80,12 +81,12 @@ private:
   struct State {
     Kept kept = Kept::corners;
     std::size_t closed_sectors = 0;
-    std::vector<Index> inner;             // corners of kept vertices inside
-    bool is_new = false;                  // else the faces are as they were
+    std::vector<Index> inner;             // the corners of kept vertices inside
+    bool is_new = false;                  // otherwise the faces are as they were
     std::vector<PatchTriangle> triangles; // if it is
   };
 
-  // The border sides that lead to each vertex.
+  // Lists the boundary sides that lead to each vertex.
   void list_ends() {
     for (Index s = 0; s < sides_.size(); ++s)
       if (borders_.is_border(s))
@@ -114,7 +115,7 @@ private:
         visit(s);
   }
 
-  // Are all of its vertices kept?
+  // Are all vertices of the patch kept?
   bool has_all(Index patch) const {
     bool are_all = true;
     for_each_side(patch, [&](Index s) { are_all &= borders_.is_kept(sides_.to(s)); });
@@ -134,8 +135,8 @@ private:
     return parts;
   }
 
-  // Faces - edges + vertices, of those inside, are as many as before. A face has three sides, of
-  // which two are an edge inside.
+  // Checks that faces - edges + vertices, counted inside, is as before. A face has three sides, and
+  // two sides form an edge inside.
   bool has_same_topology(Index patch, std::size_t border, std::size_t faces) const {
     std::size_t border_before = 0;
     for_each_side(patch, [&](Index s) { border_before += borders_.is_border(s); });
@@ -165,8 +166,8 @@ private:
     waiting_.push_back(patch);
   }
 
-  // Keeps more of patches of which an edge inside has the same ends as another edge, or the only
-  // triangle the same corners as another face.
+  // Keeps more of a patch if an edge inside has the same ends as another edge, or if its only
+  // triangle has the same corners as another face.
   void separate() {
     std::vector<Index> unlike;
     std::vector<Named<2>> edges;
@@ -181,7 +182,7 @@ private:
         for (std::size_t k = 0; k < 3; ++k) {
           const Index v = faces[i].corners[k], w = faces[i].corners[(k + 2) % 3];
           const bool is_inside = states_[p].is_new && states_[p].triangles[i].mates[k] != none;
-          if (!is_inside || sides_.to(v) < sides_.to(w)) // of an edge inside one side
+          if (!is_inside || sides_.to(v) < sides_.to(w)) // one side of each edge inside
             edges.push_back({named(std::array{v, w}), is_inside ? p : none});
         }
       }
@@ -194,7 +195,7 @@ private:
       keep_more(patch);
   }
 
-  // Vertices in ascending order, and the patch that is to keep more if they come twice; or none.
+  // Vertices in ascending order, and the patch that must keep more if they occur twice; or none.
   template <std::size_t n>
   struct Named {
     std::array<Index, n> vertices;
@@ -246,7 +247,7 @@ private:
         }
   }
 
-  using End = std::pair<Index, Index>; // a vertex, a border side that leads to it
+  using End = std::pair<Index, Index>; // a vertex, and a boundary side that leads to it
 
   const SurfaceSides& sides_;
   std::vector<PlanarPatch> patches_;

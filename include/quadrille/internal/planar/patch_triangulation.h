@@ -24,31 +24,31 @@
 
 namespace quadrille::internal {
 
-/// A straight part of the border of a patch, from the corner to which one border side leads to that
-/// to which another one does; the patch is on its left.
+/// A straight section of the boundary of a patch, from the corner at the end of one boundary side
+/// to the corner at the end of another; the patch is on its left.
 struct BorderPart {
   Index from, to; ///< border sides
 };
 
-/// A triangle of a patch that has been triangulated anew.
+/// A triangle of a patch that has been triangulated again.
 struct PatchTriangle {
-  std::array<Index, 3> corners; ///< sides of the input that lead to what the corners are
+  std::array<Index, 3> corners; ///< sides of the input that lead to the original corners
   std::array<Index, 3> mates;   ///< the triangle beyond the side to each corner; none on the border
 };
 
 /// The constrained Delaunay triangulation of a patch, projected to its plane.
 ///
-/// What is inside is told by the border, which has the patch on its left, so holes, islands, and
-/// borders with the patch on both sides need no further word. Corners of several vertices at one
-/// place are told apart by the sectors in which they are.
+/// The boundary, which has the patch on its left, determines which triangles are inside, so holes,
+/// islands, and boundaries with the patch on both sides need no special treatment. Corners of
+/// several vertices at one position are distinguished by their sectors.
 class PatchTriangulation {
 public:
   PatchTriangulation(std::span<const Vector<3>> positions, const SurfaceSides& sides,
                      const PatchBorders& borders)
       : positions_(positions), sides_(sides), borders_(borders), number_(positions.size(), none) {}
 
-  /// `inner` are corners of vertices inside. The triangles, or nothing if borders intersect, touch
-  /// where they have no vertex, or do not bound a part of the plane.
+  /// `inner` are the corners of vertices inside. Returns the triangles, or nothing if boundaries
+  /// intersect, touch where they have no vertex, or do not bound a region of the plane.
   std::optional<std::vector<PatchTriangle>> triangulate(const Vector<3>& normal,
                                                         std::span<const BorderPart> border,
                                                         std::span<const Index> inner) {
@@ -64,9 +64,10 @@ public:
 
 private:
   struct FaceInfo {
-    std::array<Index, 3> parts; // of the border, opposite to each corner, with the face on the left
+    std::array<Index, 3> parts; // sections of the boundary, opposite to each corner, with the face
+                                // on the left
     std::array<Index, 3> corners; // sides of the input
-    Index number;                 // among those inside
+    Index number;                 // its number among the triangles inside
   };
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
@@ -96,7 +97,7 @@ private:
       add(side);
   }
 
-  // False if there is no plane, two places become one, or constraints intersect.
+  // Returns false if there is no plane, if two positions coincide, or if constraints intersect.
   bool insert(const Vector<3>& normal, std::span<const BorderPart> border) {
     if (border.empty() || normal == Vector<3>{})
       return false;
@@ -124,7 +125,7 @@ private:
     return true;
   }
 
-  // Two of length 1 that with a normal make a right-handed frame.
+  // Returns two vectors of length 1 that form a right-handed frame with a normal.
   static std::array<Vector<3>, 2> axes(const Vector<3>& normal) {
     std::size_t least = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -137,8 +138,8 @@ private:
     return {u, cross(normal, u)};
   }
 
-  // Tells each face which parts of the border run along it. False if a part is not an edge, or is
-  // there twice.
+  // Stores for each face the sections of the boundary along its sides. Returns false if a section
+  // is not an edge, or occurs twice.
   bool find_sides(std::span<const BorderPart> border) {
     struct Directed {
       Index from, to, part;
@@ -168,8 +169,8 @@ private:
     return found == border.size();
   }
 
-  // Numbers the faces that are on the left of the border, and what is connected with them. False if
-  // that leads to the right of the border.
+  // Numbers the faces on the left of the boundary, and the faces that are connected with them.
+  // Returns false if that leads to the right of the boundary.
   bool find_inside() {
     inside_.clear();
     const auto add = [&](Face face) {
@@ -195,8 +196,8 @@ private:
     return !inside_.empty();
   }
 
-  // Gives all corners of a sector the end of the part of the border that comes to it, and all of a
-  // vertex inside its own. False if a corner is left.
+  // Assigns to all corners of a sector the end of the boundary section that leads to it, and to all
+  // corners of a vertex inside its own. Returns false if a corner is left.
   bool find_corners(std::span<const BorderPart> border, std::span<const Index> inner) {
     for (Face first : inside_)
       for (int i = 0; i < 3; ++i) {
@@ -243,9 +244,9 @@ private:
   std::span<const Vector<3>> positions_;
   const SurfaceSides& sides_;
   const PatchBorders& borders_;
-  std::vector<Index> number_; // of each vertex: where its place is in places_; none elsewhere
+  std::vector<Index> number_; // for each vertex, its index in places_; none for others
   std::vector<Index> places_;
-  std::vector<Vertex> vertices_; // of each place
+  std::vector<Vertex> vertices_; // for each place
   std::vector<Face> inside_;
   Triangulation triangulation_;
 };

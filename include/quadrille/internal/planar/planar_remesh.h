@@ -25,13 +25,13 @@
 
 namespace quadrille::internal {
 
-/// How many patches there were, and how many of them kept more than their corners.
+/// The number of patches, and of those that kept more than their corners.
 struct PatchCounts {
   std::size_t all = 0, with_border = 0, unchanged = 0;
 };
 
-/// Of each side: may a patch have the faces on both sides of its edge? Not at borders of labels nor
-/// at named edges.
+/// Finds for each side whether a patch may have the faces on both sides of its edge. This excludes
+/// boundaries of labels and named edges.
 inline std::vector<unsigned char> crossable_sides(const SurfaceInput<3>& input,
                                                   const SurfaceSides& sides) {
   std::vector<std::array<Index, 2>> barred;
@@ -50,7 +50,7 @@ inline std::vector<unsigned char> crossable_sides(const SurfaceInput<3>& input,
   return may_cross;
 }
 
-/// What coordinates of such positions are rounded by at most, if they are all floats, or doubles.
+/// Returns the greatest rounding error of such positions, if they are all floats, or doubles.
 inline double rounding_of(const Array<Vector<3>>& positions) {
   double greatest = 0;
   bool are_floats = true;
@@ -62,11 +62,11 @@ inline double rounding_of(const Array<Vector<3>>& positions) {
   return greatest * (are_floats ? 0x1p-24 : 0x1p-53);
 }
 
-/// Finds the planar patches of an input and triangulates them anew, with the limits in the unit of
+/// Finds the planar patches of an input and triangulates them again, with the limits in the unit of
 /// the input.
 ///
-/// Vertices are within limits.height of their patch's plane, and of the straight border that they
-/// have been on.
+/// Vertices are within limits.height of the plane of their patch, and of the straight boundary on
+/// which they have been.
 inline std::pair<RemeshedSurface, PatchCounts> remesh(InputWithChannels input, FlatLimits limits) {
   const Scale<3> scale(input.box(), true);
   const double rounding = rounding_of(input.positions);
@@ -95,7 +95,7 @@ inline std::pair<RemeshedSurface, PatchCounts> remesh(InputWithChannels input, F
   remesher.remesh();
   const PatchCounts counts{remesher.patch_count(), remesher.count(PatchRemesher::Kept::border),
                            remesher.count(PatchRemesher::Kept::all)};
-  Array<RemeshedFace> faces = remesher.faces(); // before the input is gone
+  Array<RemeshedFace> faces = remesher.faces(); // before the input is released
   return {RemeshedSurface(std::move(input), std::move(faces)), counts};
 }
 

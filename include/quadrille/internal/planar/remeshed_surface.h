@@ -15,15 +15,17 @@
 
 namespace quadrille::internal {
 
-/// A face of a result, made of corners and sides of the input, of which side 3f + k leads to corner
-/// k of face f.
+/// A face of a result, which consists of corners and sides of the input; side 3f + k leads to
+/// corner k of face f.
 struct RemeshedFace {
-  Index input;                  ///< the face whose label and properties it has
-  std::array<Index, 3> corners; ///< what each corner was: its vertex, and its values in channels
-  std::array<Index, 3> sides;   ///< which side the side to each corner was; each side once
+  Index input;                  ///< the face from which it has its label and properties
+  std::array<Index, 3> corners; ///< the original of each corner: its vertex, and its values in
+                                ///< channels
+  std::array<Index, 3> sides;   ///< the original of the side to each corner; each side occurs once
 };
 
-/// What is left of an input, as adapters write it: the vertices of some faces, where they were.
+/// The remaining surface of an input, as adapters write it: the vertices of some faces, at their
+/// original positions.
 class RemeshedSurface {
 public:
   RemeshedSurface(InputWithChannels input, Array<RemeshedFace> faces)
@@ -47,23 +49,24 @@ public:
       inputs.push_back(face.input);
     return inputs;
   }
-  /// What a vertex of the input has become: itself, if it is left.
+  /// The vertex that a vertex of the input has become: itself, if it is left.
   Index image(Index input) const { return input; }
 
   TriangleComplex::Triangle corners(Index face) const {
     const auto number = [&](std::size_t i) { return numbers_[vertex_at(faces_[face].corners[i])]; };
     return {number(0), number(1), number(2)};
   }
-  /// The side of the input that leads to what a corner was, and that which its side was.
+  /// The side of the input that leads to the original of a corner, and the original of the side to
+  /// that corner.
   Index input_corner(Index face, std::size_t corner) const { return faces_[face].corners[corner]; }
   Index input_side(Index face, std::size_t corner) const { return faces_[face].sides[corner]; }
 
-  /// No border needs to be looked for: sides on it come from the border.
+  /// No boundary has to be searched for: boundary sides come from the boundary of the input.
   bool is_closed() const { return true; }
   bool is_moved(Index) const { return false; }
   const Vector<3>& position(Index v) const { return input_.positions[vertices_[v]]; }
 
-  /// Wedges of a channel have the numbers of its values.
+  /// The wedges of a channel have the numbers of its values.
   Index wedge(std::size_t c, Index face, std::size_t corner) const {
     const Index side = faces_[face].corners[corner];
     return input_.channels[c].value_at(side / 3, side % 3, vertex_at(side));
@@ -81,8 +84,8 @@ private:
 
   InputWithChannels input_;
   Array<RemeshedFace> faces_;
-  Array<Index> vertices_; // that are left, by their input indices, ascending
-  Array<Index> numbers_;  // of each input vertex, where it is in vertices_
+  Array<Index> vertices_; // the remaining vertices by their input indices, ascending
+  Array<Index> numbers_;  // for each input vertex, its index in vertices_
 };
 
 } // namespace quadrille::internal

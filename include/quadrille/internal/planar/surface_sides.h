@@ -15,8 +15,8 @@
 
 namespace quadrille::internal {
 
-/// The directed sides of triangles, of which side 3f + k leads to corner k of face f, and the edges
-/// on which they lie. O(n log n) for n triangles.
+/// The directed sides of triangles, where side 3f + k leads to corner k of face f, and the edges on
+/// which they lie. It takes O(n log n) for n triangles.
 ///
 /// Two sides that run against each other along an edge that has no others are *mates*. A triangle
 /// that names a vertex twice has no sides.
@@ -42,7 +42,7 @@ public:
   std::size_t size() const { return mate_.size(); }
   std::size_t face_count() const { return triangles_.size(); }
   const Triangle& corners(Index face) const { return triangles_[face]; }
-  /// Has it three different vertices?
+  /// Does the face have three different vertices?
   bool is_triangle(Index face) const {
     const auto& [a, b, c] = triangles_[face];
     return a != b && b != c && c != a;
@@ -56,7 +56,7 @@ public:
   static Index after(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
   static Index before(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
-  using Keyed = std::pair<std::uint64_t, Index>; ///< the two vertices of a side, the side
+  using Keyed = std::pair<std::uint64_t, Index>; ///< the two vertices of a side, and the side
 
   /// Calls visit(sides) for the sides of each edge, a span of Keyed, by ascending vertices.
   template <class Visit>

@@ -16,9 +16,9 @@
 
 namespace quadrille::internal {
 
-/// Faces, each of which allows points to be so far from it. A tree of boxes, of which each knows
-/// the greatest distance that a face in it allows, finds the face that a point exceeds least:
-/// O(n log n) to build, about O(log n) a question.
+/// A set of faces, each of which allows points up to a distance from it. Each node of a tree of
+/// boxes stores the greatest distance that a face in it allows. The tree finds the face that a
+/// point exceeds least: it takes O(n log n) to build and about O(log n) per query.
 class AllowedFaces {
 public:
   struct Face {
@@ -27,10 +27,11 @@ public:
   };
   struct Nearest {
     std::size_t face;
-    double excess; ///< of the point's distance beyond the allowance; negative where it is within
+    double excess; ///< the point's distance beyond the allowance; negative if the point is within
+                   ///< it
   };
 
-  /// Of at least one face. Takes steps.
+  /// There must be at least one face. The constructor reports steps.
   AllowedFaces(std::vector<Face> faces, CheckProgress& progress)
       : faces_(std::move(faces)), order_(faces_.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -43,7 +44,8 @@ public:
     return std::sqrt(CGAL::squared_distance(p, nearest)) - faces_[face].allowance;
   }
 
-  /// The face that a point exceeds least; a guess of it makes that faster.
+  /// Returns the face that a point exceeds least; a good estimate of that face makes the search
+  /// faster.
   Nearest nearest(const DistancePoint& p, std::size_t guess = 0) const {
     Nearest best{guess, excess(guess, p)};
     look_into(0, p, best);
@@ -53,10 +55,10 @@ public:
 private:
   struct Node {
     CGAL::Bbox_3 box;
-    double allowance = 0; ///< the greatest
+    double allowance = 0; ///< the greatest one in the box
     std::size_t begin, end;
     std::size_t second =
-        0; ///< the node of the second half, of which the first one is the next; or 0
+        0; ///< the node of the second half, after the first half, which follows directly; or 0
   };
   static constexpr std::size_t leaf_size = 4;
 
@@ -77,7 +79,7 @@ private:
     build(middle, end, progress);
   }
 
-  /// Along the longest side of the box.
+  /// Halves the faces of a node along the longest side of its box.
   std::size_t halve(const Node& node) {
     int axis = 0;
     const auto extent = [&](int i) { return (node.box.max)(i) - (node.box.min)(i); };
@@ -95,7 +97,7 @@ private:
     return middle;
   }
 
-  /// No face of it is exceeded by less.
+  /// Returns a lower bound: the point exceeds every face of the node by at least this much.
   static double least_excess(const Node& node, const DistancePoint& p) {
     std::array<double, 3> d{};
     for (int i = 0; i < 3; ++i)

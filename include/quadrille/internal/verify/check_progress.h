@@ -7,21 +7,22 @@
 
 namespace quadrille::internal {
 
-/// Thrown where whoever is told of the progress wants no more.
+/// This is thrown if the receiver of the progress cancels the check.
 struct CheckCancelled {};
 
-/// Tells how far verify() is, by stages of the same length, and hears whether it is to go on.
+/// Reports the progress of verify(), in stages of equal length, and throws if the receiver cancels
+/// it.
 class CheckProgress {
 public:
   CheckProgress(std::function<bool(double)> told, std::size_t stages)
       : reported_(std::move(told)), stages_(static_cast<double>(stages)) {}
 
-  /// So much of the present stage is done, from 0 to 1. Throws CheckCancelled.
+  /// Reports the fraction of the present stage that is done, from 0 to 1. Throws CheckCancelled.
   void at(double part) {
     part_ = part;
     tell();
   }
-  /// A step has been done, of which there are too many to tell each.
+  /// Counts a step; there are too many steps to report each one.
   void step() {
     if (++steps_ % steps_between_words == 0)
       tell();

@@ -15,12 +15,13 @@
 
 namespace quadrille::internal {
 
-/// How far an input and its result are apart, one way and the other, beyond tolerances of the
-/// input's vertices, of which a face has the least of its corners.
+/// Measures how far an input and its result are apart, in both directions, beyond the tolerances of
+/// the input's vertices. A face has the least tolerance of its corners.
 class CheckedDistance {
 public:
-  /// No tolerances: they are 0. Both surfaces have faces. Throws std::invalid_argument where
-  /// tolerances are not as many as the input has vertices, or no distances.
+  /// Without tolerances, they are 0. Both surfaces must have faces. Throws std::invalid_argument if
+  /// the number of tolerances is not the number of input vertices, or if a tolerance is not a
+  /// distance.
   CheckedDistance(const SurfaceView& input, const std::vector<double>& tolerances,
                   const SurfaceView& result, CheckProgress& progress)
       : frame_(box_of(input) + box_of(result)), diagonal_(diagonal(box_of(input) + box_of(result))),
@@ -44,11 +45,13 @@ public:
     Vector<3> place; ///< where it was found
   };
 
-  /// How far a point of an input face is from the result beyond the face's tolerance, at most. It
-  /// tells less than the truth by no more than `error`, and never more; 0 if none is beyond.
+  /// Returns the greatest distance of a point of an input face to the result, beyond the face's
+  /// tolerance. The value is at most the true one and less than it by at most `error`; it is 0 if
+  /// no point is beyond its tolerance.
   Measured of_input(double error) const { return excess(input_, result_, error); }
 
-  /// By how much a point of the result is beyond the tolerance of each face of the input. The same.
+  /// Returns by how much, at most, a point of the result is beyond the tolerances of all faces of
+  /// the input. The error is as in of_input().
   Measured of_result(double error) const { return excess(result_, input_, error); }
 
 private:
@@ -72,7 +75,7 @@ private:
     return {point(corners[0]), point(corners[1]), point(corners[2])};
   }
 
-  /// Only one of both allows more than 0: that of the input.
+  /// Only one of the two surfaces allows more than 0: the input.
   Measured excess(const Faces& from, const Faces& to, double error) const {
     const AllowedFaces near(to, progress_);
     GreatestExcess greatest(near, (std::max)(frame_.to(error), 0x1p-40), progress_);

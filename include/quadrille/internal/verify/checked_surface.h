@@ -15,9 +15,10 @@ namespace quadrille::internal {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// A surface as verify() sees it, of a mesh or of points and triangles: without the faces whose
-/// corners are not three different points. Of faces on the same three vertices, as the sides of a
-/// sheet are, both count. Throws as read_surface() does.
+/// Returns a surface as verify() sees it, from a mesh or from points and triangles: without the
+/// faces whose corners are not three different points. If several faces have the same three
+/// vertices, as the two sides of a double-sided face do, all of them count. Throws as
+/// read_surface() does.
 template <class... Surface>
 TriangleSoup<> checked_surface(const char* caller, const Surface&... surface) {
   TriangleSoup<> checked = read_surface(caller, surface...);
@@ -28,7 +29,7 @@ TriangleSoup<> checked_surface(const char* caller, const Surface&... surface) {
   return checked;
 }
 
-/// Of the vertices of faces.
+/// Returns the box around the vertices of the faces.
 inline CGAL::Bbox_3 box_of(const SurfaceView& surface) {
   CGAL::Bbox_3 box;
   for (const Corners& corners : surface.triangles)

@@ -18,7 +18,7 @@ template <class Map>
 inline constexpr bool is_map_given =
     !std::same_as<std::remove_cvref_t<Map>, CGAL::internal_np::Param_not_found>;
 
-/// Of vertex_tolerance_map, if it is given.
+/// Adds the vertex_tolerance_map, if it is given.
 template <class Mesh, class NamedParameters>
 void add_tolerances(const Mesh& input, const NamedParameters& named, Claims& claims) {
   const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_tolerance);
@@ -29,7 +29,7 @@ void add_tolerances(const Mesh& input, const NamedParameters& named, Claims& cla
   }
 }
 
-/// Of vertex_to_vertex_map, if it is given, as numbers.
+/// Adds the vertex_to_vertex_map, if it is given, as numbers.
 template <class MeshA, class MeshB, class NamedParameters>
 void add_images(const MeshA& input, const MeshB& result, const NamedParameters& named,
                 Claims& claims) {

@@ -10,10 +10,10 @@
 
 namespace quadrille::internal {
 
-/// What is found of claimed distances, whatever measures them.
+/// Collects the findings on claimed distances, however these are measured.
 class DistanceFindings {
 public:
-  /// `diagonal` is that of both surfaces.
+  /// `diagonal` is the diagonal of the box around both surfaces.
   DistanceFindings(Verdict& verdict, double diagonal) : verdict_(verdict), diagonal_(diagonal) {}
 
   static void require_sense(const Claims& claims) {
@@ -21,15 +21,15 @@ public:
       throw std::invalid_argument("quadrille::verify: the claim is not a distance");
   }
 
-  /// The least that is claimed, of the result.
+  /// Returns the least distance that is claimed of the result.
   static double least(const Claims& claims) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return (std::min)(claims.distance.value_or(infinity),
                       claims.distance_both_ways.value_or(infinity));
   }
 
-  /// Looks at what is claimed of distances. Distance has diagonal_of_both(), of_result(error) and
-  /// of_input(error), as CheckedDistance.
+  /// Checks the claimed distances. Distance has diagonal_of_both(), of_result(error) and
+  /// of_input(error), as CheckedDistance has.
   template <class Distance>
   static void look(const Claims& claims, const Distance& distance, CheckProgress& progress,
                    Verdict& verdict) {
@@ -45,7 +45,7 @@ public:
     progress.next_stage();
   }
 
-  /// Looks whether tolerances are kept. Distance has least_tolerance() as well.
+  /// Checks whether the tolerances are kept. Distance must have least_tolerance() as well.
   template <class Distance>
   static void look_at_tolerances(const Distance& distance, CheckProgress& progress,
                                  Verdict& verdict) {
@@ -60,10 +60,11 @@ public:
     progress.next_stage();
   }
 
-  /// `measure(error)` tells no more than the truth but for roundings, and less by no more than the
-  /// error, of which half of what a finding may be wrong is enough. So what is beyond the promise
-  /// by that is broken, and what is broken by twice as much is found. It takes the longer the less
-  /// it may be wrong, so a small part of `small`, the promise say, is enough.
+  /// `measure(error)` returns at most the true value, except for rounding, and is less than it by
+  /// at most the error; this error is half of the inaccuracy that a finding may have. So a value
+  /// that exceeds the promise by that error is a violation, and every violation of twice that size
+  /// is found. A smaller error takes longer, so a small fraction of `small`, which may be the
+  /// promise, is used.
   template <class Measure>
   void add(const char* claim, double promised, double small, Measure measure) {
     const double error = (std::max)((std::min)(small / 20, 1e-3 * diagonal_), 1e-5 * diagonal_);

@@ -24,7 +24,7 @@ using DistancePoint = CGAL::Simple_cartesian<double>::Point_3;
 using DistanceVector = CGAL::Simple_cartesian<double>::Vector_3;
 using DistanceTriangle = CGAL::Simple_cartesian<double>::Triangle_3;
 
-/// A surface as distances see it: triangles, and the vertices that they use.
+/// A surface for distance measurements: its triangles, and the vertices that they use.
 struct DistanceSurface {
   std::vector<DistanceTriangle> triangles;
   std::vector<DistancePoint> vertices;
@@ -57,8 +57,8 @@ inline DistanceSurface distance_surface(const SurfaceView& surface) {
   return result;
 }
 
-/// Of a mesh, or of points and triangles. Throws as read_surface() does, and std::invalid_argument
-/// where there is no face.
+/// Returns the surface of a mesh, or of points and triangles. Throws as read_surface() does, and
+/// std::invalid_argument if there is no face.
 template <class... Surface>
 DistanceSurface measured_surface(const char* caller, const Surface&... surface) {
   DistanceSurface result = distance_surface(read_surface(caller, surface...));
@@ -75,23 +75,23 @@ inline CGAL::Bbox_3 bounding_box(const std::vector<DistancePoint>& points) {
   return box;
 }
 
-/// At most the greatest double.
+/// The result is at most the greatest double.
 inline double diagonal(const CGAL::Bbox_3& box) {
   const auto half = [&](int i) { return 0.5 * (box.max)(i)-0.5 * (box.min)(i); };
   return 2 * (std::min)(safe_length(half(0), half(1), half(2)),
                         (std::numeric_limits<double>::max)() / 2);
 }
 
-/// Where distances are measured: around the origin, so that far-away coordinates cost no digits,
-/// and in a unit in which the given box has a size of about 1, so that no product of lengths over-
-/// or underflows. The unit is a power of two, which is exact both ways.
+/// The frame in which distances are measured. It lies around the origin, so that far-away
+/// coordinates cost no digits, and its unit gives the box a size of about 1, so that no product of
+/// lengths overflows or underflows. The unit is a power of two, so conversion is exact both ways.
 class DistanceFrame {
 public:
   explicit DistanceFrame(const CGAL::Bbox_3& box) {
     std::array<double, 3> middle{}; // g++ does not see that the loop fills it
     double extent = 0;
     for (int i = 0; i < 3; ++i) {
-      // By halves: sums and differences of the ends could overflow.
+      // The ends are halved first, because their sums and differences could overflow.
       middle[static_cast<std::size_t>(i)] = 0.5 * (box.min)(i) + 0.5 * (box.max)(i);
       extent = (std::max)(extent, 0.5 * (box.max)(i)-0.5 * (box.min)(i));
     }

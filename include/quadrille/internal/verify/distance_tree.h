@@ -31,10 +31,10 @@ inline DistancePoint nearest_on_segment(const DistancePoint& a, const DistancePo
   return a + std::clamp(((query - a) * ab) / length2, 0.0, 1.0) * ab;
 }
 
-/// The nearest point of a triangle, which may be a needle or a point: where the foot of the
-/// perpendicular is inside, that; else the best of the three edges. A needle's normal is noise, so
-/// the foot is made a convex combination of the corners and must beat the edges: the answer is
-/// always a point of the triangle.
+/// Returns the nearest point of a triangle, which may be a sliver or a point. If the foot of the
+/// perpendicular is inside, it is the answer; otherwise the best point of the three edges is. The
+/// normal of a sliver is noise, so the foot is computed as a convex combination of the corners and
+/// must be nearer than the edges: the answer is always a point of the triangle.
 inline DistancePoint nearest_on_triangle(const DistanceTriangle& t, const DistancePoint& query) {
   DistancePoint best = nearest_on_segment(t[0], t[1], query);
   double best_distance = CGAL::squared_distance(query, best);
@@ -58,7 +58,7 @@ inline DistancePoint nearest_on_triangle(const DistanceTriangle& t, const Distan
   return best;
 }
 
-/// The plain kernel, but with a projection onto triangles that bears degenerate ones.
+/// The plain kernel with a projection onto triangles that accepts degenerate ones.
 struct DistanceKernel : CGAL::Simple_cartesian<double> {
   struct Construct_projected_point_3 {
     using result_type = DistancePoint;
@@ -69,8 +69,8 @@ struct DistanceKernel : CGAL::Simple_cartesian<double> {
   Construct_projected_point_3 construct_projected_point_3_object() const { return {}; }
 };
 
-/// A surface made ready to be asked for its nearest point: O(n log n) to build, about O(log n) a
-/// question.
+/// A surface that is prepared for queries of its nearest point: it takes O(n log n) to build and
+/// about O(log n) per query.
 class DistanceTree {
 public:
   explicit DistanceTree(const std::vector<DistanceTriangle>& triangles)

@@ -15,31 +15,32 @@
 
 namespace quadrille::internal {
 
-/// By how much points of triangles exceed what faces allow, at most: 0 where none does. Triangles
-/// are cut along the sides of the faces below them. What exceeds one face is convex, so it is
-/// greatest at corners of a piece: a piece is done when all of its corners are near enough to one
-/// face, or when it is so small that its middle tells. So parts that lie on a flat surface take as
-/// many pieces as both have faces there, however small the error is.
+/// Computes by how much, at most, points of triangles exceed the distances that faces allow; it is
+/// 0 if none does. Triangles are cut along the sides of the faces below them. The excess over one
+/// face is convex, so its maximum over a polygon is at a corner. A polygon is done when all of its
+/// corners are near enough to one face, or when it is so small that its centre decides. So where
+/// the surfaces coincide in a plane, the number of polygons depends on the number of faces of both
+/// surfaces there, however small the error is.
 class GreatestExcess {
 public:
-  /// `error`: by how much less than the truth it may tell; positive. `known` is what other
-  /// triangles exceed: what is less is not looked for.
+  /// `error` is the positive amount by which the result may be less than the true value. `known` is
+  /// the excess of other triangles: smaller excesses are not searched for.
   GreatestExcess(const AllowedFaces& faces, double error, CheckProgress& progress, double known = 0)
       : faces_(faces), error_(error), greatest_(known), progress_(progress) {}
 
   double greatest() const { return greatest_; }
-  /// The point that has it, if any does.
+  /// The point with the greatest excess, if there is one.
   const DistancePoint& place() const { return place_; }
 
-  /// Takes in the corners of a triangle of which the points may be further by `allowance`. To take
-  /// those of all triangles first makes what follows faster.
+  /// Takes in the corners of a triangle whose points may be further away by `allowance`. If the
+  /// corners of all triangles are taken in first, the rest is faster.
   void look_at_corners(const DistanceTriangle& t, double allowance) {
     progress_.step();
     for (int i = 0; i < 3; ++i)
       measure(t[i], allowance);
   }
 
-  /// Takes in all points of it.
+  /// Takes in all points of a triangle.
   void look_at(const DistanceTriangle& t, double allowance) {
     pieces_.push_back({{t[0], t[1], t[2]}, 0});
     while (!pieces_.empty()) {
@@ -54,10 +55,10 @@ private:
   using Polygon = std::vector<DistancePoint>; // convex
   struct Piece {
     Polygon corners;
-    int cuts; ///< along faces, which it has been left by
+    int cuts; ///< the number of cuts along faces that led to this polygon
   };
   static constexpr int most_cuts = 60;
-  static constexpr double rounding = 0x1p-44; // of coordinates in the frame, which are about 1
+  static constexpr double rounding = 0x1p-44; // for coordinates in the frame, which are about 1
 
   double measure(const DistancePoint& p, double allowance) {
     const auto [face, excess] = faces_.nearest(p, guess_);
@@ -101,7 +102,8 @@ private:
                              });
   }
 
-  /// Cuts off what is beyond the sides of a face; false if there is nothing, or nothing else.
+  /// Cuts off the parts beyond the sides of a face; false if there are none, or if nothing else
+  /// would be left.
   bool cut_along(std::size_t face, const Piece& piece, double allowance) {
     const DistanceTriangle& t = faces_.triangle(face);
     const DistanceVector normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
@@ -136,8 +138,8 @@ private:
         pieces_.push_back({std::move(*half), piece.cuts});
   }
 
-  /// What is behind a plane, and what is before it. Of what reaches beyond it by a rounding only
-  /// that side is empty.
+  /// Returns the part of a polygon behind a plane and the part in front of it. If the polygon
+  /// reaches beyond the plane only by a rounding error, that side alone is empty.
   static std::array<Polygon, 2> cut(const Polygon& polygon, const DistancePoint& origin,
                                     const DistanceVector& direction) {
     std::vector<double> heights;

@@ -19,17 +19,17 @@
 
 namespace quadrille::internal {
 
-/// Counts pairs of faces that have a point in common beside the vertices and edges that both have,
-/// and those of them that pass through each other, so do not only touch or overlap in a plane. It
-/// shares nothing with NoSelfIntersection but CGAL's predicates, which are exact. Faces without an
-/// area, and pairs on the same three vertices, do not count.
+/// Counts the pairs of faces that have a point in common other than their shared vertices and
+/// edges, and those among them that pass through each other, so that they do not only touch or
+/// overlap in a plane. It shares nothing with NoSelfIntersection but CGAL's predicates, which are
+/// exact. Faces without an area, and pairs on the same three vertices, do not count.
 class IntersectingPairs {
 public:
   explicit IntersectingPairs(const SurfaceView& surface) : surface_(surface) {}
 
   struct Kind {
     std::size_t count = 0;
-    std::size_t first = none; ///< the lowest number of a face that does, if there is any
+    std::size_t first = none; ///< the lowest number of such a face, if there is one
 
     void add(std::size_t a, std::size_t b) {
       ++count;
@@ -41,7 +41,8 @@ public:
     Kind pass_through; ///< each other
   };
 
-  /// By a sweep over the boxes of the faces: O(n log³ n + k) for k pairs of boxes that meet.
+  /// Finds the pairs by a sweep over the boxes of the faces: O(n log³ n + k) for k pairs of boxes
+  /// that meet.
   Found find(CheckProgress& progress) const {
     using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
     std::vector<Box> boxes;
@@ -83,7 +84,7 @@ private:
     const auto is_common = [](const Corners& of) {
       return [&of](std::size_t v) { return std::find(of.begin(), of.end(), v) != of.end(); };
     };
-    Corners s = p, t = q; // those that both have come first
+    Corners s = p, t = q; // the shared corners come first
     std::stable_partition(s.begin(), s.end(), is_common(q));
     std::stable_partition(t.begin(), t.end(), is_common(p));
     const auto at = [&](std::size_t v) { return exact_point(v); };
@@ -101,8 +102,8 @@ private:
     }
   }
 
-  // Of the line that both planes have in common, each face has a part. These are computed, as
-  // rational numbers.
+  // Each face covers an interval of the line in which both planes intersect. The intervals are
+  // computed as rational numbers.
   bool pass_through(std::size_t a, std::size_t b) const {
     if (!crosses_plane(a, b) || !crosses_plane(b, a))
       return false;
@@ -116,7 +117,7 @@ private:
            (std::max)(of_s->first, of_t->first) < (std::min)(of_s->second, of_t->second);
   }
 
-  // Are there corners of a face on both sides of the plane of another one?
+  // Does a face have corners on both sides of the plane of another one?
   bool crosses_plane(std::size_t face, std::size_t other) const {
     const Corners& corners = surface_.triangles[face];
     const auto t = exact_triangle(other);
@@ -128,7 +129,8 @@ private:
     return has(CGAL::POSITIVE) && has(CGAL::NEGATIVE);
   }
 
-  // Where a face with corners on both sides of a plane cuts it: from where to where along a vector.
+  // Returns the interval, along a vector, in which a plane cuts a face with corners on both sides
+  // of it.
   template <class Vector>
   static std::optional<std::pair<Rational, Rational>>
   part_of(const RationalTriangle& face, const RationalKernel::Point_3& in_plane,

@@ -15,13 +15,14 @@
 
 namespace quadrille::internal {
 
-/// Parts of two solids, some of which lie in others: which has become which?
+/// Matches the components of two solids, some of which lie inside others: which component has
+/// become which?
 ///
-/// They are matched by where they are: of all that are left, each time those two that are nearest
-/// to each other. Where parts lie close together, like the shells of an onion, and have been
-/// changed by more than that, this says little. So if they can be matched in such a way that all of
-/// them keep handles, sides and what they lie in, and the parts are hardly further apart that way,
-/// that is the answer.
+/// They are matched by position: the two nearest unmatched components are matched first, and so on.
+/// If components lie close together, like the shells of an onion, and have been changed by more
+/// than the distance between them, this is unreliable. So if a matching exists in which every
+/// component keeps its handles, its orientation and its nesting, and its distances are hardly
+/// greater, that matching is the answer.
 class MatchedParts {
 public:
   MatchedParts(const std::vector<SolidPart>& before, const std::vector<SolidPart>& after)
@@ -29,7 +30,7 @@ public:
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  /// Of each part before, the part after that it has become, or none.
+  /// Returns, for each component before, the component after that it has become, or none.
   std::vector<std::size_t> match() {
     std::vector<std::size_t> by_place(before_.size(), none);
     match_nearest(all(before_), all(after_), by_place);
@@ -41,12 +42,13 @@ private:
   using Numbers = std::vector<std::size_t>;
   static constexpr double hardly_further = 1.5;
 
-  /// Parts by what they have to keep: handles, side, and the kinds of those that lie in them.
+  /// The kind of a component is what it has to keep: its handles, its orientation, and the kinds of
+  /// the components that lie in it.
   using Kind = std::tuple<std::ptrdiff_t, int, Numbers>;
   using Kinds = std::map<Kind, std::size_t>;
   struct Forest {
     Numbers kinds;
-    std::vector<Numbers> children; ///< of each part, and of none behind them
+    std::vector<Numbers> children; ///< for each component, and at the end for none
   };
 
   static Numbers all(const std::vector<SolidPart>& parts) {
@@ -66,7 +68,7 @@ private:
     return sum;
   }
 
-  /// In rounds: who are nearest to each other are so among all, too.
+  /// Works in rounds: two components that are nearest to each other are so among all, too.
   void match_nearest(Numbers left, Numbers right, Numbers& images) const {
     while (!left.empty() && !right.empty()) {
       Numbers of_left(left.size()), of_right(right.size());
@@ -100,7 +102,7 @@ private:
     return best;
   }
 
-  /// Each part lies in the innermost of those around it.
+  /// Each component lies in the innermost of those around it.
   static Forest forest(const std::vector<SolidPart>& parts, Kinds& kinds) {
     const auto depth = [&](std::size_t i) { return parts[i].around.size(); };
     Forest result{Numbers(parts.size()), std::vector<Numbers>(parts.size() + 1)};
@@ -122,7 +124,8 @@ private:
     return result;
   }
 
-  /// From the outermost inward, those of one kind by where they are; nothing if that cannot be.
+  /// Matches from the outermost inward; components of one kind are matched by position. Returns
+  /// nothing if that is impossible.
   std::optional<Numbers> matched_alike() const {
     Kinds kinds;
     const Forest left = forest(before_, kinds), right = forest(after_, kinds);

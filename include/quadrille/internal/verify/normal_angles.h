@@ -18,21 +18,24 @@
 
 namespace quadrille::internal {
 
-/// How far normals of a result are from those of the input faces that have come to lie on each face
-/// or on one of its edges, as a map of the vertices says: all faces by brute force, without cones.
+/// Measures how far the normals of a result are from the normals of the input faces that now lie on
+/// each face or on one of its edges, according to a map of the vertices. All faces are compared by
+/// brute force, without cones.
 class NormalAngles {
 public:
-  /// In degrees. The truth is between both, which differ by how well doubles know the normals.
+  /// Both values are in degrees. The truth is between them; they differ by the accuracy to which
+  /// doubles determine the normals.
   struct Greatest {
     double at_least = 0, at_most = 0;
-    std::size_t face = 0;          ///< of the result, where that is
-    std::size_t unknown = 0;       ///< faces of the result that none of the input has become
+    std::size_t face = 0;          ///< the face of the result that has it
+    std::size_t unknown = 0;       ///< the number of faces of the result that no input face has
+                                   ///< become
     std::size_t first_unknown = 0; ///< the first of these
   };
 
-  /// `images`: of each vertex of the input the one of the result that it has become; no vertex of
-  /// the result where it is none. Throws std::invalid_argument where these are not as many as the
-  /// vertices of the input.
+  /// `images` gives, for each vertex of the input, the vertex of the result that it has become, or
+  /// no vertex of the result if there is none. Throws std::invalid_argument if their number is not
+  /// the number of input vertices.
   NormalAngles(const SurfaceView& input, const std::vector<std::size_t>& images,
                const SurfaceView& result)
       : input_(input), images_(images), result_(result) {
@@ -83,7 +86,7 @@ private:
     return face;
   }
 
-  /// Of both sides of a sheet the first one stands for both.
+  /// The first side of a double-sided face stands for both sides.
   static bool is_front(const Corners& face, std::set<Corners>& fronts) {
     if (fronts.contains(rotated({face[1], face[0], face[2]})))
       return false;
@@ -91,13 +94,14 @@ private:
     return true;
   }
 
-  /// Has it become one?
+  /// Has the face become a face of the result?
   bool is_face(const Corners& face) const {
     const std::size_t a = images_[face[0]], b = images_[face[1]], c = images_[face[2]];
     return a != b && b != c && c != a;
   }
 
-  /// Those that a face of the input lies on, or of which it lies on an edge.
+  /// Returns the faces of the result on which a face of the input lies, or on an edge of which it
+  /// lies.
   std::vector<std::size_t> faces_of(const Corners& face) const {
     if (std::any_of(face.begin(), face.end(),
                     [&](std::size_t v) { return images_[v] >= result_.points.size(); }))
@@ -114,7 +118,7 @@ private:
     return {};
   }
 
-  /// What is under the first of the keys that there is.
+  /// Returns the value of the first key that the map contains.
   template <class Map, class... Keys>
   static std::vector<std::size_t> found(const Map& map, const Keys&... keys) {
     std::vector<std::size_t> result;
@@ -122,7 +126,7 @@ private:
     return result;
   }
 
-  /// Nothing where doubles do not know it.
+  /// Returns nothing if doubles do not determine the normal.
   static std::optional<Normal> normal_of(const SurfaceView& surface, const Corners& face) {
     const auto edge = [&](std::size_t i) {
       return surface.points[face[i]] - surface.points[face[0]];

@@ -19,16 +19,16 @@
 
 namespace quadrille::internal {
 
-/// Compares a result, part by part, with the solid that it was. Neither needs to bound a volume:
-/// what the input is the result has to be.
+/// Compares a result, component by component, with the solid that it was made from. Neither has to
+/// bound a volume: the result has to be what the input is.
 class SolidCheck {
 public:
   SolidCheck(const SurfaceView& input, const SurfaceView& result, CheckProgress& progress)
       : unit_(unit_of(input, result)), input_(scaled(input)), result_(scaled(result)),
         progress_(progress) {}
 
-  /// A finding for all that a solid keeps. Throws std::invalid_argument for an input with open
-  /// edges.
+  /// Returns a finding for each property that a solid keeps. Throws std::invalid_argument for an
+  /// input with open edges.
   std::vector<Finding> look() {
     UmbrellasOfSolid before(input_), after(result_);
     if (before.open_edges() > 0)
@@ -49,7 +49,7 @@ public:
 private:
   using Place = std::optional<Vector<3>>;
 
-  /// Lengths are divided by this power of two, so that no product of them over- or underflows.
+  /// Lengths are divided by this power of two, so that no product of them overflows or underflows.
   static int unit_of(const SurfaceView& a, const SurfaceView& b) {
     double greatest = 0;
     for (const SurfaceView* surface : {&a, &b})
@@ -93,7 +93,7 @@ private:
     });
   }
 
-  /// Those that a part before has become.
+  /// Returns the components that a component before has become.
   static std::vector<std::size_t> known(std::vector<std::size_t> parts,
                                         const std::vector<std::size_t>& images) {
     std::erase_if(parts, [&](std::size_t part) {
@@ -102,7 +102,7 @@ private:
     return parts;
   }
 
-  /// A part that is new or gone.
+  /// Returns the place of a component that is new or gone.
   Place place_of_odd(const std::vector<std::size_t>& images) const {
     for (std::size_t i = 0; i < images.size(); ++i)
       if (images[i] == MatchedParts::none)

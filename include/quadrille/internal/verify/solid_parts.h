@@ -25,7 +25,7 @@ inline double length(const Vector<3>& v) {
   return std::sqrt(squared_length(v));
 }
 
-/// The corners of a face of a surface, less a point.
+/// Returns the corners of a face of a surface, minus a point.
 inline std::array<Vector<3>, 3> corners_seen_from(const SurfaceView& surface, std::size_t face,
                                                   const Vector<3>& p) {
   std::array<Vector<3>, 3> corners;
@@ -34,7 +34,7 @@ inline std::array<Vector<3>, 3> corners_seen_from(const SurfaceView& surface, st
   return corners;
 }
 
-/// Where a part of a surface is, how it extends, and on which side of it its inside is.
+/// The place of a component of a surface, its extent, and the side of it on which its inside lies.
 class PartShape {
 public:
   PartShape() = default;
@@ -49,9 +49,10 @@ public:
     measure(surface, faces);
   }
 
-  /// 1 if it is oriented outward, -1 if it is inside out, 0 if its volume is none beyond roundings.
+  /// 1 if the component is oriented outward, -1 if it is inside out, 0 if its volume does not
+  /// exceed rounding errors.
   int orientation() const { return orientation_; }
-  /// A point of it.
+  /// A point of the component.
   const Vector<3>& place() const { return place_; }
 
   bool box_holds(const PartShape& other) const {
@@ -59,8 +60,8 @@ public:
            high_[0] >= other.high_[0] && high_[1] >= other.high_[1] && high_[2] >= other.high_[2];
   }
 
-  /// A distance of which little is known but that a part which has hardly changed is at a small
-  /// one: by boxes, by centres, and by the spread around these.
+  /// A measure of distance with one certain property: it is small for a component that has hardly
+  /// changed. It compares the boxes, the centres, and the spread around the centres.
   double apart(const PartShape& other) const {
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -76,8 +77,8 @@ public:
 private:
   double trace() const { return spread_[0] + spread_[1] + spread_[2]; }
 
-  /// Integrals over the faces. A volume counts if it is more than what the roundings of the
-  /// coordinates, and of the sum, can make.
+  /// Computes integrals over the faces. A volume counts if it is greater than the rounding errors
+  /// of the coordinates and of the sum.
   void measure(const SurfaceView& surface, const std::vector<std::size_t>& faces) {
     double area = 0, volume = 0, terms = 0;
     Vector<3> first{};
@@ -119,22 +120,24 @@ private:
   int orientation_ = 0;
 };
 
-/// A piece of a closed surface that has been cut where it only touches itself.
+/// A component of a closed surface that has been cut where it only touches itself.
 struct SolidPart {
   std::vector<std::size_t> faces;
-  std::ptrdiff_t euler_number = 0; ///< two, less twice its genus
+  std::ptrdiff_t euler_number = 0; ///< two minus twice its genus
   PartShape shape;
-  std::vector<std::size_t> around; ///< other parts that it lies in, by their numbers
+  std::vector<std::size_t> around; ///< the numbers of the other components that it lies in
 };
 
-/// The parts of a closed surface, numbered by their first faces: how each is oriented, how many
-/// handles it has, and in which of the others it lies, by how often these wind around a point of
-/// it. Nothing here fails for a part that is flat, a line or a point.
+/// Returns the components of a closed surface, numbered by their first faces: the orientation of
+/// each, its number of handles, and the components in which it lies, which follow from how often
+/// these wind around a point of it. No component makes this fail, even if it is flat, a line or a
+/// point.
 inline std::vector<SolidPart> solid_parts(const SurfaceView& surface, UmbrellasOfSolid& umbrellas,
                                           CheckProgress& progress);
 
-/// Counts pairs of faces on the same three vertices, of which each face is in one pair at most: a
-/// sheet, or a pillow, that encloses nothing. `first` becomes the lowest number of such a face.
+/// Counts pairs of faces on the same three vertices; each face is in one pair at most. Such a pair
+/// is a double-sided face or a closed surface of two faces, which encloses nothing. `first` becomes
+/// the lowest number of such a face.
 inline std::size_t count_doubled_faces(const SurfaceView& surface, std::size_t& first) {
   std::set<Corners> single;
   std::size_t count = 0;
@@ -150,7 +153,7 @@ inline std::size_t count_doubled_faces(const SurfaceView& surface, std::size_t& 
   return count;
 }
 
-/// How often a part winds around a point.
+/// Returns how often a component winds around a point.
 inline double winding_number(const SurfaceView& surface, const SolidPart& part,
                              const Vector<3>& p) {
   double sum = 0;
@@ -163,8 +166,8 @@ inline double winding_number(const SurfaceView& surface, const SolidPart& part,
   return sum / (2 * std::numbers::pi);
 }
 
-/// Does one part lie in another one? Where they touch, a point may lie on both, and the number of
-/// times that it is wound around is none: so the point counts that knows best.
+/// Does one component lie in another one? Where they touch, a point may lie on both, and its
+/// winding number is then undefined: so the point with the clearest winding number decides.
 inline bool lies_in(const SurfaceView& surface, const SolidPart& inner, const SolidPart& outer) {
   constexpr std::size_t most_points = 16;
   constexpr double enough = 1e-6;

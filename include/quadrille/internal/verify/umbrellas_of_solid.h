@@ -15,9 +15,9 @@
 
 namespace quadrille::internal {
 
-/// A surface cut to a manifold: at an edge of more than two faces, those are joined between which
-/// the solid lies; at a vertex, the faces that this connects, as an umbrella. It shares nothing
-/// with the engine.
+/// A surface that is cut to a manifold. At an edge of more than two faces, the faces on both sides
+/// of the solid are joined; at a vertex, the faces that are connected in this way form an umbrella.
+/// It shares nothing with the engine.
 class UmbrellasOfSolid {
 public:
   explicit UmbrellasOfSolid(const SurfaceView& surface)
@@ -36,16 +36,18 @@ public:
         open_at_ = edge.first;
   }
 
-  /// Edges that have not as many faces on one side as on the other; all else is for surfaces that
-  /// have none.
+  /// The number of edges that do not have equally many faces on both sides; everything else
+  /// requires that there are none.
   std::size_t open_edges() const { return open_edges_; }
-  /// A vertex of the first of them.
+  /// A vertex of the first open edge.
   std::size_t open_at() const { return open_at_; }
 
-  /// A face of the part that a face is of, the same for all of them.
+  /// Returns one face of the component that a face belongs to; it is the same for all faces of the
+  /// component.
   std::size_t part_of(std::size_t face) { return root(part_, face); }
 
-  /// How many umbrellas, which are vertices of the manifold, the faces of a part have.
+  /// Returns the number of umbrellas, which are the vertices of the manifold, of the faces of a
+  /// component.
   std::size_t count(const std::vector<std::size_t>& faces) {
     std::set<std::size_t> roots;
     for (const std::size_t face : faces)
@@ -58,8 +60,8 @@ private:
   using Edge = std::pair<std::size_t, std::size_t>;
   using Roots = std::vector<std::size_t>;
 
-  /// A face at an edge, which begins in that place of its corners; does it run up the edge, from
-  /// the lower number to the higher?
+  /// A face at an edge, and the corner at which the edge begins in it; does the face traverse the
+  /// edge upward, from the lower number to the higher?
   struct Side {
     std::size_t face, corner;
     bool is_up;
@@ -70,7 +72,8 @@ private:
     return surface_.triangles[face][i % 3];
   }
 
-  /// Joins the faces at an edge in pairs; false if they do not go up in pairs.
+  /// Joins the faces at an edge in pairs; false if they do not form pairs of one upward and one
+  /// downward face.
   bool join(const Edge& edge, std::vector<Side>& sides) {
     const auto ups =
         std::count_if(sides.begin(), sides.end(), [](const Side& s) { return s.is_up; });
@@ -78,7 +81,8 @@ private:
       return false;
     if (sides.size() > 2)
       sort_around(edge, sides);
-    // Seen from the higher end, the solid lies on the right of faces that run up: each ends there.
+    // Seen from the higher end, the solid lies on the right of upward faces and ends at each of
+    // them.
     std::vector<std::size_t> open;
     std::vector<bool> is_joined(sides.size(), false);
     const std::size_t n = sides.size();
@@ -95,7 +99,7 @@ private:
     return true;
   }
 
-  /// Of faces on the same three vertices those that run up come first: nothing lies between them.
+  /// Among faces on the same three vertices, upward ones come first: nothing lies between them.
   void sort_around(const Edge& edge, std::vector<Side>& sides) const {
     const Vector<3>& low = surface_.points[edge.first];
     const Vector<3> axis = surface_.points[edge.second] - low;
@@ -130,8 +134,8 @@ private:
   static void unite(Roots& of, std::size_t a, std::size_t b) { of[root(of, a)] = root(of, b); }
 
   SurfaceView surface_;
-  Roots umbrella_; // of each corner, another one of it, or itself
-  Roots part_;     // the same of each face
+  Roots umbrella_; // for each corner, another one of its umbrella, or itself
+  Roots part_;     // for each face, another one of its component, or itself
   std::size_t open_edges_ = 0, open_at_ = 0;
 };
 
