@@ -13,18 +13,18 @@
 
 namespace quadrille::internal {
 
-/// What a file has to be, to be the one that was written.
+/// The size and checksum that a file must have to be the one that was written.
 struct FileContent {
   std::uint64_t size = 0, checksum = 0;
 
   friend bool operator==(const FileContent&, const FileContent&) = default;
 };
 
-/// Files that grow at their ends by turns, one for each part. They are open only while a buffer
-/// goes to the disk, so there may be more than a process may have open.
+/// Files that grow at their ends in turn, one for each chunk. They are open only while a buffer is
+/// written to the disk, so there may be more of them than a process may have open.
 class AppendedFiles {
 public:
-  /// Files have to be missing. `memory` is for the buffers of all.
+  /// The files must not exist yet. `memory` is for all buffers together.
   AppendedFiles(std::vector<std::filesystem::path> paths, std::uint64_t memory)
       : paths_(std::move(paths)), states_(paths_.size()),
         buffer_(static_cast<std::size_t>(std::clamp<std::uint64_t>(
@@ -40,7 +40,8 @@ public:
       flush(file);
   }
 
-  /// Writes what is left, synced; empty files, too. What each has to be.
+  /// Writes the remaining buffers and syncs all files, including empty ones. Returns the size and
+  /// checksum that each must have.
   std::vector<FileContent> finish() {
     std::vector<FileContent> contents;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
@@ -72,7 +73,7 @@ private:
   std::size_t buffer_;
 };
 
-/// All of a file, as it has to be; throws where it is not.
+/// Reads a whole file; throws if it does not have the given size and checksum.
 template <class Row>
 std::vector<Row> read_rows(const std::filesystem::path& path, const FileContent& content) {
   const InputFile file(path);

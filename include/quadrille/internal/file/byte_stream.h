@@ -12,14 +12,15 @@
 
 namespace quadrille::internal {
 
-/// The bytes of a file from some place on, read in blocks. Reading is by read() and not by mmap:
-/// mapped pages would count as memory of the process.
+/// The bytes of a file from a given offset on, read in blocks. They are read by read() and not by
+/// mmap, because mapped pages would count as memory of the process.
 class ByteStream {
 public:
   ByteStream(const InputFile& file, std::uint64_t offset, std::size_t block = std::size_t{1} << 20)
       : file_(&file), offset_(offset), buffer_(block) {}
 
-  /// The next `count` bytes, which stay until the next call; nullptr if the file ends before.
+  /// Returns the next `count` bytes, which stay valid until the next call; nullptr if the file ends
+  /// before.
   const char* next(std::size_t count) {
     if (end_ - begin_ < count && !fill(count))
       return nullptr;
@@ -28,9 +29,9 @@ public:
     return bytes;
   }
 
-  /// Of the next byte, in the file.
+  /// The offset of the next byte in the file.
   std::uint64_t offset() const { return offset_ - (end_ - begin_); }
-  /// Of all bytes that were read, also those that were not asked for yet.
+  /// The checksum of all bytes that were read, including those that have not been requested yet.
   const Checksum& checksum() const { return checksum_; }
 
 private:

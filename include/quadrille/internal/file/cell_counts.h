@@ -12,7 +12,7 @@
 
 namespace quadrille::internal {
 
-/// The least and the greatest coordinates of what has been told.
+/// The least and the greatest coordinates of the points that were added.
 struct FileBox {
   Vector<3> low{{(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)(),
                  (std::numeric_limits<double>::max)()}};
@@ -27,8 +27,8 @@ struct FileBox {
   }
 };
 
-/// A grid of cubes over a box: 2^bits along its longest side, and as many as there are along the
-/// others. Points outside belong to the cells nearest to them.
+/// A grid of cubes over a box, with 2^bits of them along its longest side and as many as fit along
+/// the others. Points outside belong to the cells nearest to them.
 class CellGridOfBox {
 public:
   CellGridOfBox(const FileBox& box, unsigned bits) : low_(box.low) {
@@ -63,7 +63,7 @@ private:
   std::array<std::uint32_t, 3> cells_;
 };
 
-/// How many vertices lie in each cell.
+/// The number of vertices in each cell.
 struct CellCounts {
   explicit CellCounts(CellGridOfBox cells) : grid(cells), counts(cells.size()) {}
 

@@ -17,9 +17,9 @@
 
 namespace quadrille::internal {
 
-/// A connected piece of a part, of about so many vertices: again and again the half that lies on
-/// one side of the median along the longest extent, which side being told by the bits of `seed`.
-/// Its border is shared, since it must not move.
+/// A connected region of a chunk with about the given number of vertices. It is found by repeatedly
+/// keeping one half of the vertices, on one side of the median along the longest extent; the bits
+/// of `seed` choose the side. The boundary of the region is shared, because it must not move.
 class PartOfPart {
 public:
   static LoadedPart of(const LoadedPart& part, std::size_t vertices, std::uint64_t seed,
@@ -96,10 +96,11 @@ private:
   }
 
   const LoadedPart& part_;
-  std::vector<Index> order_; // those that are left
+  std::vector<Index> order_; // the remaining vertices
 };
 
-/// For how many faces a sample stands that can go: those of its vertices that are not shared.
+/// The number of faces in a sample that can be removed: the faces for which its vertices that are
+/// not shared stand.
 struct SampleCounts {
   double free_faces = 0;
 
@@ -119,20 +120,20 @@ struct SampleCounts {
   }
 };
 
-/// What samples of a surface tell of the whole: up to which cost pairs have to be contracted so
-/// that so many faces are left. Each sample was simplified to its end.
+/// Extrapolates from samples of a surface to the whole: up to which cost pairs must be contracted
+/// so that the given number of faces is left. Each sample was simplified to its end.
 class CostSamples {
 public:
   explicit CostSamples(std::uint64_t faces) : faces_(faces) {}
 
-  /// A sample that stands for so many faces, of which so many could go, with what contractions in
-  /// it took.
+  /// Adds a sample that stands for `part_faces` faces, of which `free_faces` could be removed, with
+  /// the costs of its contractions.
   void add(std::uint64_t part_faces, double free_faces, const CostHistogram& costs) {
     if (free_faces > 0)
       samples_.push_back({part_faces, free_faces, costs});
   }
 
-  /// In the engine's unit. If nothing could be sampled it is infinite.
+  /// Returns the limit in the engine's unit. It is infinite if nothing could be sampled.
   float limit(std::uint64_t faces_left) const {
     double sampled = 0;
     for (const Sample& s : samples_)
@@ -152,7 +153,7 @@ public:
   }
 
 private:
-  static constexpr std::uint64_t unit = 256; // of a face, in which they are counted
+  static constexpr std::uint64_t unit = 256; // a face counts as this many
 
   struct Sample {
     std::uint64_t part_faces;
@@ -160,7 +161,7 @@ private:
     CostHistogram costs;
   };
 
-  std::uint64_t faces_; // of all
+  std::uint64_t faces_; // of all chunks
   std::vector<Sample> samples_;
 };
 

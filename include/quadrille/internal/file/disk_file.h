@@ -17,7 +17,7 @@
 #include <utility>
 
 /// \file
-/// Files by the calls of POSIX, whose errors become sentences that begin with the file's name.
+/// Access to files by POSIX calls, whose errors become sentences that begin with the file's name.
 
 namespace quadrille::internal {
 
@@ -42,18 +42,18 @@ public:
   ~FileDescriptor() { close(); }
 
   int get() const { return descriptor_; }
-  /// False if something that was written did not reach the file.
+  /// Returns false if written data did not reach the file.
   bool close() { return descriptor_ < 0 || ::close(std::exchange(descriptor_, -1)) == 0; }
 
 private:
   int descriptor_;
 };
 
-/// A file that is read at any place, by any number of threads.
+/// A file that any number of threads can read at any offset.
 class InputFile {
 public:
   explicit InputFile(const std::filesystem::path& path) : InputFile(path, path) {}
-  /// One that was made of another one, by whose name it is known to the user.
+  /// Opens a file that was made from another one, by whose name the user knows it.
   InputFile(const std::filesystem::path& path, std::filesystem::path name)
       : path_(std::move(name)), file_(path, O_RDONLY) {
     struct ::stat status = {};
@@ -63,9 +63,9 @@ public:
     changed_ = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec;
   }
 
-  const std::filesystem::path& path() const { return path_; } ///< as it is known to the user
+  const std::filesystem::path& path() const { return path_; } ///< the name that the user knows
   std::uint64_t size() const { return size_; }
-  /// When it was last written to, in nanoseconds.
+  /// The time of the last change, in nanoseconds.
   std::int64_t changed() const { return changed_; }
 
   /// Reads `size` bytes from `offset` on, or throws.
@@ -73,7 +73,7 @@ public:
     if (read_some(offset, to, size) != size)
       fail_file(path_, "ends at byte " + std::to_string(size_) + ", within what is to be read");
   }
-  /// As many as there are.
+  /// Reads as many bytes as there are.
   std::size_t read_some(std::uint64_t offset, void* to, std::size_t size) const {
     std::size_t done = 0;
     while (done < size) {
@@ -112,7 +112,7 @@ inline void write_bytes(const FileDescriptor& file, const std::filesystem::path&
   }
 }
 
-/// Adds to the end of a file, which is made if there is none.
+/// Appends to the end of a file, and creates it if it does not exist.
 inline void append_to_file(const std::filesystem::path& path, const void* bytes, std::size_t size) {
   FileDescriptor file(path, O_WRONLY | O_CREAT | O_APPEND);
   write_bytes(file, path, bytes, size);
@@ -120,20 +120,21 @@ inline void append_to_file(const std::filesystem::path& path, const void* bytes,
     fail_file(path, std::string("cannot be written in full: ") + std::strerror(errno));
 }
 
-/// Makes what was written, or the names in a folder, last over a loss of power.
+/// Makes the written data of a file, or the names in a folder, survive a loss of power.
 inline void sync_to_disk(const std::filesystem::path& path) {
   const FileDescriptor file(path, O_RDONLY);
   if (::fsync(file.get()) != 0 && errno != EINVAL && errno != ENOTSUP)
     fail_file(path, std::string("cannot be written in full: ") + std::strerror(errno));
 }
 
-/// A file that is there as a whole or not at all: written beside it, synced, renamed. One that was
-/// not finished, since the process was killed, is written over the next time.
+/// A file that exists completely or not at all: it is written under a temporary name in the same
+/// folder, synced, and renamed. A file that was not finished, because the process was killed, is
+/// overwritten the next time.
 class WholeFile {
 public:
   explicit WholeFile(std::filesystem::path path) : WholeFile(std::move(path), ".unfinished") {}
 
-  /// One that several processes may be writing.
+  /// Returns a file that several processes may be writing.
   static WholeFile by_any_process(std::filesystem::path path) {
     return WholeFile(std::move(path), ".unfinished-" + std::to_string(std::random_device{}()));
   }
@@ -148,16 +149,16 @@ public:
     write_bytes(file_, beside_, bytes, size);
     written_ += size;
   }
-  /// Writes over the beginning.
+  /// Overwrites the beginning.
   void write_at_begin(const void* bytes, std::size_t size) {
     if (::pwrite(file_.get(), bytes, size, 0) != static_cast<::ssize_t>(size))
       fail_file(beside_, std::string("cannot be written in full: ") + std::strerror(errno));
   }
   std::uint64_t written() const { return written_; }
-  /// Where it is until it is finished.
+  /// The path of the file until it is finished.
   const std::filesystem::path& unfinished() const { return beside_; }
 
-  /// Now it is there.
+  /// Puts the finished file in its place.
   void finish() {
     if ((::fsync(file_.get()) != 0 && errno != EINVAL && errno != ENOTSUP) || !file_.close())
       fail_file(path_, std::string("cannot be written in full: ") + std::strerror(errno));
@@ -178,7 +179,8 @@ private:
   bool is_done_ = false;
 };
 
-/// Throws, with the name of the file, if it could not be written; at the end of hours is too late.
+/// Throws, with the name of the file, if it cannot be written; at the end of hours this would be
+/// too late.
 inline void require_writable(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))

@@ -15,16 +15,16 @@
 
 namespace quadrille::internal {
 
-/// The same corners, the least of them first: the same for faces on the same vertices that run the
-/// same way round.
+/// Returns the corners in cyclic order with the least one first: the result is equal for faces on
+/// the same vertices with the same orientation.
 template <class Corners>
 Corners from_least_corner(Corners corners) {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
-/// How many faces of a part there are for a second time, on the same vertices the same way round.
-/// They are all in the same part. Eight bytes for each face.
+/// Counts the faces of a chunk that occur again, on the same vertices with the same orientation.
+/// Such faces are all in the same chunk. It takes eight bytes for each face.
 inline std::uint64_t count_doubled_rows(const std::filesystem::path& path) {
   const InputFile file(path);
   ByteStream stream(file, 0);
@@ -35,13 +35,15 @@ inline std::uint64_t count_doubled_rows(const std::filesystem::path& path) {
     std::memcpy(face.data(), bytes, sizeof(face));
     const auto [a, b, c] = from_least_corner(face);
     const std::uint64_t key = (std::uint64_t{a} << 32 | b) * 0x9E3779B97F4A7C15U;
-    keys.push_back((key ^ key >> 29) + c * 0xD1B54A32D192ED03U); // two in 2^64 are alike
+    // two different keys collide once in 2^64
+    keys.push_back((key ^ key >> 29) + c * 0xD1B54A32D192ED03U);
   }
   std::sort(keys.begin(), keys.end());
   return static_cast<std::uint64_t>(keys.end() - std::unique(keys.begin(), keys.end()));
 }
 
-/// Leaves of faces on the same vertices, the same way round, the first one, with its label.
+/// Keeps only the first one, with its label, of faces on the same vertices with the same
+/// orientation.
 template <class Face>
 void remove_doubled(std::vector<Face>& faces, std::vector<std::uint32_t>& labels) {
   std::set<Face> seen;

@@ -12,8 +12,8 @@
 
 namespace quadrille::internal {
 
-/// The stop policies of a surface in parts: how many faces are to be left, of so many; and whether
-/// a limit of distances may end it before.
+/// The stop policies of an out-of-core surface: how many of its faces are to be left, and whether a
+/// distance limit may end it before.
 class FileTarget {
 public:
   template <class Stop>
@@ -42,7 +42,7 @@ public:
 
 private:
   std::uint64_t faces_ = 0;
-  double ratio_ = -1; // negative: a count
+  double ratio_ = -1; // negative if the target is a count
   bool is_limited_;
 };
 

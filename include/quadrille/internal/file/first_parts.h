@@ -17,17 +17,17 @@
 
 namespace quadrille::internal {
 
-/// From a file that has been surveyed to the parts of the first phase. Reads vertices three times
-/// and faces once, all in the order of the file; vertices of a crowded surface some more times.
-/// Memory: two bytes for each vertex, six for each time that a vertex is in another part than it
-/// lies in, the cells, and `buffers`.
+/// Turns a surveyed file into the chunks of the first phase. It reads the vertices three times and
+/// the faces once, all in the order of the file; it reads the vertices of a crowded surface some
+/// more times. Memory: two bytes for each vertex, six for each time that a chunk has a vertex that
+/// lies in another one, the cells, and `buffers`.
 class FirstParts {
 public:
   FirstParts(const PlyInput& input, const InputSurvey& survey)
       : input_(input), survey_(survey), facts_(survey.facts()) {}
 
-  /// Writes them to the folder, as parts of that phase. `tell(part)` is called with the part of the
-  /// work that is done, from 0 to 1, and may throw.
+  /// Writes the chunks to the folder, as the chunks of that phase. `tell(part)` is called with the
+  /// fraction of the work that is done, from 0 to 1, and may throw.
   template <class Tell>
   PartScatter write(const JobFolder& folder, unsigned phase, std::uint64_t part_vertices,
                     std::uint64_t buffers, Tell tell) {
@@ -48,7 +48,7 @@ public:
     return scatter;
   }
 
-  /// What the labels are, once they have been written.
+  /// The file of the labels, after it has been written.
   const FileContent& label_table() const { return label_table_; }
 
 private:
@@ -114,7 +114,7 @@ private:
     scatter.end_vertices();
   }
 
-  // Those that are used, once more, and all is as it was.
+  // Goes through the used vertices again, and checks that the file has not changed.
   template <class Take>
   void for_vertices(Take take) const {
     const auto take_used = [&](VertexId id, const Vector<3>& p, const auto&... scalars) {

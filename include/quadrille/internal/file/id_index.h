@@ -12,8 +12,8 @@
 
 namespace quadrille::internal {
 
-/// Finds the place of a number among ascending ones: the top bits tell a short range, in which it
-/// is looked for by halving. About one such range for each number.
+/// Finds the position of a number in an ascending list: its top bits select a short range, which is
+/// searched by bisection. There is about one such range per number.
 class IdIndex {
 public:
   explicit IdIndex(std::span<const VertexId> ids) : ids_(ids) {
@@ -29,7 +29,7 @@ public:
       begins_[i] += begins_[i - 1];
   }
 
-  /// The id has to be among them, or ids.size() is returned.
+  /// The id must be in the list; otherwise ids.size() is returned.
   std::size_t find(VertexId id) const {
     if (ids_.empty() || id < ids_.front() || id > ids_.back())
       return ids_.size();
@@ -48,7 +48,7 @@ private:
   std::span<const VertexId> ids_;
   std::uint64_t first_ = 0;
   unsigned shift_ = 0;
-  std::vector<std::uint32_t> begins_; // of each bucket
+  std::vector<std::uint32_t> begins_; // of each range
 };
 
 } // namespace quadrille::internal

@@ -10,7 +10,7 @@
 
 namespace quadrille::internal {
 
-/// Some of the numbers below a limit, a bit each.
+/// A set of numbers below a limit, with one bit for each number.
 class IdSet {
 public:
   explicit IdSet(std::uint64_t limit) : words_(static_cast<std::size_t>(limit / 64 + 1)) {}
@@ -23,7 +23,8 @@ private:
   std::vector<std::uint64_t> words_;
 };
 
-/// How many numbers of a set are below each: the numbers that vertices have in the output.
+/// Returns how many numbers of a set are below a given one: these are the numbers of the vertices
+/// in the output.
 class IdRanks {
 public:
   explicit IdRanks(const IdSet& ids) : ids_(ids), before_(ids.words().size() / 8 + 1) {
@@ -46,7 +47,7 @@ public:
 
 private:
   const IdSet& ids_;
-  std::vector<std::uint64_t> before_; // each 512 numbers
+  std::vector<std::uint64_t> before_; // one entry for each 512 numbers
   std::uint64_t size_ = 0;
 };
 

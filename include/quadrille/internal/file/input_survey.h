@@ -19,13 +19,14 @@
 
 namespace quadrille::internal {
 
-/// Reads a file once, from its first face to its last vertex, before anything is written: what it
-/// has, what is used of it, and whether all of it can be simplified in parts. What no face uses
-/// belongs to no box and to no range, and need not be finite. Memory: a bit for each vertex.
+/// Reads a file once, from its first face to its last vertex, before anything is written. It finds
+/// what the file contains, what of it is used, and whether all of it can be simplified in chunks.
+/// Vertices that no face uses do not count for boxes and ranges, and need not be finite. Memory: a
+/// bit for each vertex.
 class InputSurvey {
 public:
-  /// `tell(part)` as FirstParts has it. Throws std::runtime_error with the name of the file.
-  /// `tolerance` is the place of that scalar in a row, if there is one.
+  /// `tell(part)` is as in FirstParts. Throws std::runtime_error with the name of the file.
+  /// `tolerance` is the index of that scalar in a row, if there is one.
   template <class Tell>
   InputSurvey(const PlyInput& input, std::optional<std::size_t> tolerance, Tell tell)
       : input_(input), tolerance_(tolerance), used_(input.vertices()), labels_(input.labels()) {
@@ -46,12 +47,13 @@ public:
 
   const InputFacts& facts() const { return facts_; }
   bool is_used(VertexId v) const { return used_.has(v); }
-  const LabelTable& labels() const { return labels_; } ///< all that there are
+  const LabelTable& labels() const { return labels_; } ///< all labels of the file
   std::uint64_t checksum_of_faces() const { return of_faces_; }
   std::uint64_t checksum_of_vertices() const { return of_vertices_; }
 
 private:
-  static constexpr std::size_t most_colors = 64; // more are a picture, whose faces are no regions
+  static constexpr std::size_t most_colors = 64; // more colours make a picture, whose faces are not
+                                                 // regions
 
   template <class Tell>
   void survey_faces(Tell tell) {
@@ -137,7 +139,7 @@ private:
   InputFacts facts_;
   IdSet used_;
   LabelTable labels_;
-  std::set<LabelValues> colors_; // no more than tell that there are too many
+  std::set<LabelValues> colors_; // at most one more than the limit
   LabelValues last_color_;
   bool is_loose_ = true;
   std::uint64_t of_faces_ = 0, of_vertices_ = 0;

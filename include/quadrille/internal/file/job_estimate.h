@@ -23,21 +23,21 @@
 
 namespace quadrille::internal {
 
-/// How large an input is, as its header and its size tell.
+/// The size of an input, according to its header and its file size.
 struct InputSize {
   std::uint64_t vertices = 0, faces = 0;
-  std::size_t scalars = 0; ///< of a vertex
+  std::size_t scalars = 0; ///< of each vertex
   bool has_labels = false;
   std::uint64_t row = 12;   ///< bytes of a vertex in the output
-  std::uint64_t making = 0; ///< bytes on the disk while a surface is made of a soup or of tiles
-  std::uint64_t made = 0;   ///< bytes of that surface, which is there until it is cut
-  bool keeps_tiles = false; ///< is the output in the scratch folder, too?
+  std::uint64_t making = 0; ///< bytes on the disk while a surface is made from a soup or from tiles
+  std::uint64_t made = 0;   ///< bytes of that surface, which exists until it is cut
+  bool keeps_tiles = false; ///< is the output also in the scratch folder?
 };
 
-/// What a job will take, from sizes alone.
+/// Estimates what a job will take, from sizes alone.
 class JobEstimate {
 public:
-  /// `state_size` are bytes of what a vertex remembers.
+  /// `state_size` is the size of a vertex's state in bytes.
   static FileEstimate of(const InputSize& input, const FileTarget& target,
                          const MemoryBudget& budget, std::size_t state_size) {
     const JobEstimate job(input, target, budget, state_size);
@@ -53,10 +53,10 @@ public:
   }
 
 private:
-  // For a face, as it was measured on one core of 2 GHz or so, with a disk that is not idle.
+  // These are times per face, measured on one core of about 2 GHz with a busy disk.
   static constexpr double serial_seconds = 0.9e-6, making_seconds = 1.5e-6,
                           seconds_of_scalar = 0.35e-6, seconds_of_limit = 6e-6;
-  // To read a part, and more the more of it goes.
+  // Returns the time to read a chunk, which grows with the fraction of it that is removed.
   double parallel_seconds() const {
     const double gone = 1 - static_cast<double>((std::min)(target_, input_.faces)) /
                                 static_cast<double>((std::max<std::uint64_t>)(input_.faces, 1));
@@ -77,7 +77,7 @@ private:
                : faces * static_cast<double>(input_.vertices) / static_cast<double>(input_.faces);
   }
 
-  // A compact patch of V vertices has 4 √V around it, which others have, too.
+  // A compact patch of V vertices has 4 √V vertices on its boundary, which other chunks have, too.
   double bytes_of(double faces, std::size_t state_size) const {
     const double vertex =
         static_cast<double>(sizeof(VertexRow) + input_.scalars * sizeof(double) + state_size);
@@ -93,7 +93,7 @@ private:
                                       faces * (input_.has_labels ? 17 : 13));
   }
 
-  // At most 32 of a phase; of a small part there is one.
+  // A phase has at most 32 sampled chunks; if it is small, it has a single chunk.
   double bytes_of_samples() const {
     const std::uint64_t parts = std::bit_ceil(input_.faces / part_faces_ + 1);
     const std::uint64_t sampled = (std::min<std::uint64_t>)(parts, 32);
@@ -103,8 +103,9 @@ private:
                                             sizeof(std::uint64_t));
   }
 
-  // Each phase has its parts and what is left of them, then that and the parts of the next. How
-  // much a limit of distances leaves is not known: half, say.
+  // Each phase has its chunks and their results at the same time, then the results and the chunks
+  // of the next phase. It is unknown how many faces a distance limit leaves; half of them are
+  // assumed.
   std::uint64_t scratch_bytes() const {
     const auto all = static_cast<double>(input_.faces);
     const double samples = bytes_of_samples();
@@ -131,7 +132,8 @@ private:
   std::size_t state_size_;
 };
 
-/// In the file system where a path is, or will be; nothing where that is not known.
+/// Returns the free space of the file system in which a path is or will be; nothing if it is
+/// unknown.
 inline std::optional<std::uint64_t> free_space(std::filesystem::path path) {
   std::error_code error;
   path = std::filesystem::absolute(path, error);
@@ -141,7 +143,7 @@ inline std::optional<std::uint64_t> free_space(std::filesystem::path path) {
   return error ? std::nullopt : std::optional<std::uint64_t>(space.available);
 }
 
-/// Throws, with the name of the path, if so many bytes are not free there.
+/// Throws, with the name of the path, if fewer bytes are free there.
 inline void require_space(const std::filesystem::path& path, std::uint64_t bytes,
                           const std::string& what) {
   const std::optional<std::uint64_t> space = free_space(path);

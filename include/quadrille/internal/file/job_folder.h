@@ -32,7 +32,7 @@ inline bool is_job_file(std::string_view name, std::initializer_list<std::string
   return rest.find_first_not_of("-0123456789") == std::string::npos;
 }
 
-/// Removes the files from a folder whose names are a job's.
+/// Removes from a folder the files that have the names of a job's files.
 template <class IsOwn>
 void remove_files_only_if(const std::filesystem::path& folder, const IsOwn& is_own) {
   std::error_code error;
@@ -46,7 +46,7 @@ void remove_files_only_if(const std::filesystem::path& folder, const IsOwn& is_o
     if (!std::filesystem::remove(path, error) && error)
       fail_file(path, "cannot be removed: " + error.message());
 }
-/// And the folder if nothing else is in it.
+/// Removes the folder as well if nothing else is in it.
 template <class IsOwn>
 void remove_files_if(const std::filesystem::path& folder, const IsOwn& is_own) {
   remove_files_only_if(folder, is_own);
@@ -58,26 +58,27 @@ inline void remove_job_files(const std::filesystem::path& folder,
 }
 
 /// The folder that a job makes for itself in the scratch folder, and the names of its files. No
-/// file of another name is read, written over or removed.
+/// file with another name is read, overwritten or removed.
 ///
-/// job                    says that the folder is a job's, see JobLock
-/// lock                   who works there, see JobLock
-/// welding/               files of a soup that is made a surface, see StlWeld
-/// welded-KEY.ply         that surface, also of several tiles
-/// welded-0-T.ply         tile T of it, if it is a soup; of what is left, welded-0.ply
-/// labels                 what these are, see LabelTable
-/// phase-K/plan           what the phase is: there once all of the phase's input is
-/// phase-K/vertices-P     the vertices of part P, as VertexRow
+/// job                    marks the folder as a job's, see JobLock
+/// lock                   names the process that works there, see JobLock
+/// welding/               files for making a surface from a soup, see StlWeld
+/// welded-KEY.ply         that surface, also the one made from several tiles
+/// welded-0-T.ply         tile T of it, if it is a soup
+/// welded-0.ply           the result of several tiles, before it is split into them
+/// labels                 the values of the labels, see LabelTable
+/// phase-K/plan           the plan of the phase: it exists once all of the phase's input does
+/// phase-K/vertices-P     the vertices of chunk P, as VertexRow
 /// phase-K/faces-P        its faces, as FaceRow
 /// phase-K/labels-P       the label of each face, if there are labels
-/// phase-K/bounds-P       how far each face is from the input, see FaceBound, if that is limited
+/// phase-K/bounds-P       a distance bound for each face, see FaceBound, if distances are limited
 /// phase-K/borders        edges of one face between vertices that are shared, as two numbers
-/// phase-K/sample-P       what samples of the part tell of its costs, see SampleFile
-/// phase-K/left-P         what is left of the part: there once it has been simplified
-/// phase-K/claims-N/      which process has which part, see TaskClaims
+/// phase-K/sample-P       the costs in samples of the chunk, see SampleFile
+/// phase-K/left-P         the remaining chunk: it exists once the chunk has been simplified
+/// phase-K/claims-N/      which process has which chunk, see TaskClaims
 class JobFolder {
 public:
-  /// In the scratch folder of the user's, of which it need not be known yet whether it is there.
+  /// The folder lies in the user's scratch folder, which need not exist yet.
   explicit JobFolder(const std::filesystem::path& scratch)
       : scratch_(scratch.has_filename() ? scratch : scratch.parent_path()),
         path_(scratch_ / "quadrille-job") {}
@@ -101,7 +102,7 @@ public:
   std::filesystem::path bounds(unsigned k, std::size_t part) const {
     return phase(k) / ("bounds-" + std::to_string(part));
   }
-  /// What labels are: of all phases.
+  /// The values of the labels, for all phases.
   std::filesystem::path label_table() const { return path_ / "labels"; }
   std::filesystem::path left(unsigned k, std::size_t part) const {
     return phase(k) / ("left-" + std::to_string(part));
@@ -109,18 +110,19 @@ public:
   std::filesystem::path samples(unsigned k, std::size_t part) const {
     return phase(k) / ("sample-" + std::to_string(part));
   }
-  /// Where a soup is made a surface.
+  /// The folder in which a surface is made from a soup.
   std::filesystem::path welding() const { return path_ / "welding"; }
-  /// One of several soups, which is a tile of a surface.
+  /// The file of one of several soups, which is a tile of a surface.
   std::filesystem::path welded_tile(std::size_t tile) const {
     return path_ / ("welded-0-" + std::to_string(tile) + ".ply");
   }
-  /// That surface.
+  /// The file of the surface that was made.
   std::filesystem::path welded(std::uint64_t key) const {
     return path_ / ("welded-" + std::to_string(key) + ".ply");
   }
 
-  /// The phase that is at work: the one with a plan. Nothing has been finished if it is 0.
+  /// Returns the current phase, which is the one with a plan. If it is 0, nothing has been
+  /// finished.
   unsigned phase_at_work() const {
     unsigned k = 0;
     for (const unsigned phase : phases())
@@ -129,7 +131,7 @@ public:
     return k;
   }
 
-  /// An empty folder for a phase; what a run has left there that was killed goes.
+  /// Makes an empty folder for a phase; anything that a killed run has left there is removed.
   void begin_phase(unsigned k) const {
     remove_phase(k);
     std::error_code error;
@@ -138,12 +140,12 @@ public:
       fail_file(phase(k), "cannot be made: " + error.message());
   }
   void remove_phase(unsigned k) const {
-    ::unlink(plan(k).c_str()); // first: it says that the others are there
+    ::unlink(plan(k).c_str()); // first, because it says that the other files exist
     remove_claims(phase(k));
     remove_job_files(
         phase(k), {"plan", "vertices", "faces", "labels", "bounds", "borders", "sample", "left"});
   }
-  /// What the parts of a phase were, when all are simplified.
+  /// Removes the chunks of a phase after all of them have been simplified.
   void remove_parts(unsigned k) const {
     remove_job_files(phase(k), {"vertices", "faces", "labels", "bounds", "borders", "sample"});
   }
@@ -151,7 +153,7 @@ public:
     for (const unsigned k : phases())
       remove_phase(k);
   }
-  /// What a soup was made.
+  /// Removes the files from which a surface was made out of a soup.
   void remove_welded() const {
     remove_job_files(welding(), {"run", "corners"});
     remove_job_files(path_, {"welded"});
@@ -161,7 +163,7 @@ private:
   static bool is_number(std::string_view text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
   }
-  // A run that was killed has left them.
+  // Removes the claims that a killed run has left.
   static void remove_claims(const std::filesystem::path& phase) {
     constexpr std::string_view stem = "claims-";
     std::error_code error;
@@ -173,7 +175,7 @@ private:
                         [](const std::string& file) { return is_number(file) || file == "ended"; });
     }
   }
-  // The number of a folder of a phase, from 1 on, as phase() writes it.
+  // Returns the number of a phase's folder, from 1 on, with the name that phase() gives.
   static std::optional<unsigned> phase_of(const std::string& name) {
     constexpr std::string_view stem = "phase-";
     const std::string digits = name.substr((std::min)(name.size(), stem.size()));

@@ -16,8 +16,8 @@
 
 namespace quadrille::internal {
 
-/// A number that tells a job from others: of the input file as it is, and of all on which the
-/// result depends.
+/// A number that distinguishes a job from others. It depends on the input file as it is, and on
+/// everything that affects the result.
 class JobKey {
 public:
   void add_number(std::uint64_t number) { checksum_.add(&number, sizeof(number)); }
@@ -28,7 +28,7 @@ public:
     checksum_.add(text.data(), text.size());
   }
 
-  /// Size, time of the last change, beginning and end of a file.
+  /// Adds the size, the time of the last change, the beginning and the end of a file.
   void add_file(const InputFile& file) {
     add_number(file.size());
     add_number(static_cast<std::uint64_t>(file.changed()));
@@ -38,8 +38,8 @@ public:
       checksum_.add(bytes.data(), file.read_some(offset, bytes.data(), bytes.size()));
   }
 
-  /// A policy by its type, the members of those in the library by which costs differ, and whatever
-  /// it is if it has no members that are rounded.
+  /// Adds a policy: its type; the members by which costs of the library differ; and all bytes of
+  /// a policy that has no members that are rounded.
   template <class Policy>
   void add_policy(const std::optional<Policy>& policy) {
     add_number(std::uint64_t{policy.has_value()});

@@ -26,8 +26,9 @@
 
 namespace quadrille::internal {
 
-/// What had to be made for a job, and goes with it: folders up to the scratch folder, and that of
-/// the job. It is written to the marker, by which a folder is known as a job's.
+/// The folders that had to be made for a job, and that are removed with it: those up to the scratch
+/// folder, and the job's own. The record is written to the marker, which identifies a folder as a
+/// job's.
 struct JobMarker {
   unsigned levels = 0;
   bool has_folder = false;
@@ -58,14 +59,15 @@ private:
   static inline const std::string magic = "quadrille job 1\n";
 };
 
-/// Who drives a job: one process at a time, as long as the object is there. It makes the folder of
-/// the job, and holds a lock that the system takes back when the process ends, however it ends
-/// (flock(2), which Linux brings to NFS, too). The file of the lock tells the host and the process.
-/// Where a file system has no locks, it is taken if that process is of this host and is no more.
+/// The exclusive right to drive a job: one process has it at a time, as long as the object exists.
+/// The object makes the folder of the job, and holds a lock that the system releases when the
+/// process ends, however it ends (flock(2), which Linux supports on NFS, too). The lock file names
+/// the host and the process. If a file system has no locks, the lock is taken over if that process
+/// belonged to this host and no longer exists.
 class JobLock {
 public:
-  /// Throws std::runtime_error if another process drives a job there, or if the folder has
-  /// something in it that is no job's.
+  /// Throws std::runtime_error if another process drives a job there, or if the folder contains
+  /// anything that is not a job's.
   explicit JobLock(const JobFolder& folder) : folder_(folder) {
     // Another process that is about to end may remove the folder, or the file, in between.
     for (int tries = 0; !take(); ++tries) {
@@ -82,7 +84,7 @@ public:
   void remove_job() {
     folder_.remove_phases();
     folder_.remove_welded();
-    remove_files_only_if(folder_.path(), [&](const std::string& name) { // of those that were killed
+    remove_files_only_if(folder_.path(), [&](const std::string& name) { // files of killed runs
       return name != folder_.marker().filename() && is_job_file(name, {"job", "labels"});
     });
     ::unlink(folder_.lock().c_str());
@@ -95,7 +97,7 @@ private:
   static constexpr std::chrono::milliseconds a_moment{10};
   static inline const std::string owner_begin = "process ";
 
-  // False if it is to be tried again.
+  // Returns false if the caller should try again.
   bool take() {
     made_ = {};
     make_folders();
@@ -113,7 +115,7 @@ private:
       close();
       if (!owner.empty())
         fail_file(folder_.scratch(), owner + " works there, on a job that is not over");
-      return false; // it is about to tell its name
+      return false; // it is about to write its name
     }
     if (is_at_its_place())
       return tell_owner(), true;
@@ -142,7 +144,7 @@ private:
     }
   }
 
-  // A folder without a marker has to be empty, but for a lock, and gets one.
+  // A folder without a marker must be empty, except for a lock, and gets a marker.
   void require_own() const {
     if (has_marker())
       return static_cast<void>(JobMarker::read(folder_.marker()));
@@ -158,7 +160,7 @@ private:
     made_.write(folder_.marker());
   }
 
-  // Another process that has just made the folder is about to write it.
+  // Another process that has just made the folder may be about to write the marker.
   bool has_marker() const {
     std::error_code error;
     for (int tries = 0; tries < 3; ++tries) {
@@ -182,7 +184,7 @@ private:
       return true;
     if (errno == EWOULDBLOCK || errno == EINTR)
       return false;
-    return !is_alive(read_owner()); // there are no locks
+    return !is_alive(read_owner()); // the file system has no locks
   }
 
   static bool is_alive(const std::string& owner) {
@@ -194,14 +196,14 @@ private:
     return number != ::getpid() && (::kill(number, 0) == 0 || errno == EPERM);
   }
 
-  // The file may have been removed by the process that had it before.
+  // Its previous owner may have removed the file.
   bool is_at_its_place() const {
     struct ::stat own = {}, there = {};
     return ::fstat(descriptor_, &own) == 0 && ::stat(folder_.lock().c_str(), &there) == 0 &&
            own.st_ino == there.st_ino && own.st_dev == there.st_dev;
   }
 
-  // Its first line, once that is there.
+  // Returns its first line, once there is one.
   std::string read_owner() const {
     std::array<char, 512> text{};
     const ::ssize_t got = ::pread(descriptor_, text.data(), text.size(), 0);
@@ -226,7 +228,7 @@ private:
     made_ = JobMarker::read(folder_.marker());
   }
 
-  // Takes back what has been made by now.
+  // Removes what has been made so far.
   [[noreturn]] void undo(const std::filesystem::path& path, const std::string& what) const {
     if (made_.has_folder) {
       ::unlink(folder_.marker().c_str());

@@ -20,11 +20,11 @@
 
 namespace quadrille::internal {
 
-/// Runs tasks 0 to n − 1, each once, by several threads. After an exception no more are begun, and
-/// that of the lowest task is thrown when all that were begun are over.
+/// Runs tasks 0 to n − 1, each once, on several threads. After an exception no more tasks begin,
+/// and when all running tasks have ended, the exception of the lowest task is thrown.
 class PartThreads {
 public:
-  /// `watch` is called by this thread now and then, while there is more than one.
+  /// This thread calls `watch` now and then, if there is more than one thread.
   template <class Task, class Watch>
   static void run(std::size_t n, unsigned threads, const Task& task, const Watch& watch) {
     if (threads <= 1 || n <= 1) {
@@ -62,7 +62,7 @@ private:
     }
   }
 
-  // Until nothing is left to do, or something has failed.
+  // Waits until nothing is left to do, or until something has failed.
   template <class Watch>
   void wait(const Watch& watch) {
     try {
@@ -87,18 +87,18 @@ private:
   std::size_t done_ = 0;
 };
 
-/// Thrown where a run ends because the user's `proceed` said so.
+/// This is thrown if a run ends because the user's `proceed` returned false.
 struct JobCancelled : std::runtime_error {
   JobCancelled() : std::runtime_error("quadrille: OutOfCore::proceed has ended the run") {}
 };
 
-/// Tells the user how far a job is, and asks whether to go on.
+/// Reports the progress of a job to the user, and asks whether to go on.
 class JobWatch {
 public:
   explicit JobWatch(std::function<bool(const FileStatus&)> proceed)
       : proceed_(std::move(proceed)) {}
 
-  /// Throws JobCancelled if it shall not. `part` of the stage is done.
+  /// Throws JobCancelled if the user cancels. `part` is the fraction of the stage that is done.
   void tell(const PartedJob& job, FileStage stage, double part, std::size_t done = 0,
             std::size_t parts = 0) const {
     if (!proceed_)
@@ -116,8 +116,9 @@ public:
       throw JobCancelled();
   }
 
-  /// Runs task(i, is_cancelled) for i < n, by so many threads, where is_cancelled() is to be asked
-  /// now and then. Throws JobCancelled when all that were begun are over, if the user says so.
+  /// Runs task(i, is_cancelled) for i < n on the given number of threads; tasks should call
+  /// is_cancelled() now and then. If the user cancels, it throws JobCancelled after all running
+  /// tasks have ended.
   template <class Task>
   void run(const PartedJob& job, FileStage stage, std::size_t n, const Task& task) const {
     std::atomic<bool> is_cancelled = false;
@@ -131,8 +132,8 @@ public:
         throw;
       }
     };
-    const auto ask = [&] { // by the thread of the user, which is not the one that looks if there
-      if (std::min<std::size_t>(threads, n) <= 1) // are others
+    const auto ask = [&] {
+      if (std::min<std::size_t>(threads, n) <= 1) // other threads leave this to the user's thread
         look();
       return is_cancelled.load();
     };
@@ -148,8 +149,8 @@ public:
   }
 
 private:
-  // Cutting the file is about an eighth of the work; the rest is about as the faces with which
-  // phases begin.
+  // Cutting the file takes about an eighth of the work; the rest is about proportional to the
+  // number of faces with which phases begin.
   static double progress(const PartedJob& job, FileStage stage, double part) {
     const PhasePlan& plan = job.plan();
     if (stage <= FileStage::partition)
@@ -167,7 +168,7 @@ private:
     return stage == FileStage::sew ? 0.98 : 0.12 + 0.86 * (before + now) / whole;
   }
 
-  // With which phases begin after this one.
+  // Returns the number of faces with which the phases after this one begin.
   static double faces_to_come(const PartedJob& job) {
     const Schedule schedule = job.schedule();
     const bool fits = job.budget().whole_faces() > 2 * job.target() + job.target() / 5;

@@ -17,10 +17,10 @@
 
 namespace quadrille::internal {
 
-/// The values that a face has in some properties of integers, all of them together.
+/// The values of a face in some integer properties, all of them together.
 using LabelValues = std::vector<std::int64_t>;
 
-/// Numbers of the labels of faces, in the order in which they first come.
+/// Numbers the labels of faces in the order of their first occurrence.
 class LabelTable {
 public:
   static constexpr std::size_t most = 65'536;
@@ -31,7 +31,8 @@ public:
   std::size_t size() const { return values_.size(); }
   const LabelValues& values(std::uint32_t label) const { return values_.at(label); }
 
-  /// Throws std::length_error if there are too many: what differs from face to face is no label.
+  /// Throws std::length_error if there are too many: values that differ from face to face are not
+  /// labels.
   std::uint32_t number(const LabelValues& values) {
     if (last_ < values_.size() && values_[last_] == values)
       return last_;
@@ -46,7 +47,7 @@ public:
     return last_;
   }
 
-  /// Writes it to a file.
+  /// Writes the table to a file.
   FileContent write(const std::filesystem::path& path) const {
     std::ostringstream text;
     text << properties_.size() << '\n';

@@ -17,9 +17,9 @@
 
 namespace quadrille::internal {
 
-/// From samples of 32 parts of a phase, or of several pieces of each if there are fewer, to the
-/// cost limit at which it is to leave the faces that it aims at. Samples are files of the phase,
-/// which any process may make.
+/// Finds the cost limit at which a phase leaves the intended number of faces, from samples of 32
+/// chunks of the phase, or of several regions of each chunk if there are fewer. Samples are files
+/// of the phase, which any process may make.
 class LimitSearch {
 public:
   explicit LimitSearch(const PartedJob& job) : job_(job) {
@@ -28,16 +28,17 @@ public:
       parts_.push_back(p);
   }
 
-  /// Of how many parts there are samples.
+  /// The number of chunks that are sampled.
   std::size_t size() const { return parts_.size(); }
 
-  /// Takes those of the i-th of them, unless they are there. False if it is cancelled.
+  /// Takes the samples of the i-th of these chunks, unless they exist. Returns false if it is
+  /// cancelled.
   template <class Runner, class IsCancelled>
   bool sample(std::size_t i, const Runner& runner, const IsCancelled& is_cancelled) const {
     if (read(i))
       return true;
     const std::size_t pieces = std::bit_floor(std::max<std::size_t>(32 / parts_.size(), 1));
-    bool is_whole = true; // a sample that was cut short would tell less than there is
+    bool is_whole = true; // a sample that was cut short would count too few faces
     const auto samples = runner.samples(job_, parts_[i], pieces, [&] {
       is_whole = is_whole && !is_cancelled();
       return !is_whole;
@@ -47,7 +48,7 @@ public:
     return is_whole;
   }
 
-  /// In the engine's unit. Throws std::logic_error if samples are missing.
+  /// Returns the limit in the engine's unit. Throws std::logic_error if samples are missing.
   float limit() const {
     const std::vector<PartFiles>& parts = job_.plan().parts;
     std::uint64_t faces = 0;

@@ -21,20 +21,20 @@
 
 namespace quadrille::internal {
 
-/// A part in memory: vertices in ascending order of their numbers, each once, and faces by their
-/// places.
+/// A chunk in memory: its vertices in ascending order of their numbers, each once, and its faces,
+/// which refer to their positions in that list.
 struct LoadedPart {
   std::vector<VertexId> ids;
   std::vector<Vector<3>> positions;
   std::vector<bool> is_shared;
-  std::vector<double> scalars; ///< of the vertices, one row after the other, or none
-  std::vector<char> states;    ///< of `state_size` bytes each; empty in the first phase
+  std::vector<double> scalars; ///< of the vertices, one row after another, or empty
+  std::vector<char> states;    ///< `state_size` bytes each; empty in the first phase
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<std::uint32_t> labels;         ///< of the triangles, or none
-  std::vector<FaceBound> bounds;             ///< of the triangles, or none
+  std::vector<std::uint32_t> labels;         ///< of the triangles, or empty
+  std::vector<FaceBound> bounds;             ///< of the triangles, or empty
   std::vector<std::array<Index, 2>> borders; ///< see TrueBorders
 
-  /// Reads part `part` of a phase. Throws for files that are not what was written.
+  /// Reads chunk `part` of a phase. Throws for files that are not the ones that were written.
   static LoadedPart read(const JobFolder& folder, const PhasePlan& plan, std::size_t part,
                          std::size_t state_size) {
     LoadedPart loaded;
@@ -61,7 +61,7 @@ struct LoadedPart {
   }
 
 private:
-  // A vertex that came from several parts comes once from each of them, with the same content.
+  // A vertex that came from several chunks occurs once for each of them, with the same content.
   void take_vertices(const std::vector<char>& rows, std::size_t scalar_count,
                      std::size_t state_size) {
     const std::size_t scalars_size = scalar_count * sizeof(double);
@@ -72,7 +72,7 @@ private:
       std::memcpy(&result, rows.data() + i * row_size, sizeof(result));
       return result;
     };
-    std::vector<std::uint64_t> order(count); // the number, and the place
+    std::vector<std::uint64_t> order(count); // the number, and the index
     for (std::size_t i = 0; i < count; ++i)
       order[i] = std::uint64_t{row(i).id} << 32 | i;
     if (!std::is_sorted(order.begin(), order.end()))

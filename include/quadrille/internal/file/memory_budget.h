@@ -15,12 +15,12 @@
 
 namespace quadrille::internal {
 
-/// What fits into the memory that a run may take. How large a part is depends on the memory alone,
-/// and never on how many are simplified at a time.
+/// Decides what fits into the memory that a run may take. The size of a chunk depends on the memory
+/// alone, and never on how many chunks are simplified at a time.
 class MemoryBudget {
 public:
-  /// `per_vertex` are bytes of what a vertex remembers, `scalars` how many it has. Are distances
-  /// limited?
+  /// `per_vertex` is the size of a vertex's state in bytes, `scalars` the number of its scalars.
+  /// Are distances limited?
   MemoryBudget(const OutOfCore& options, std::size_t per_vertex, std::size_t scalars,
                bool is_limited)
       : memory_(options.memory), per_face_(bytes_of_engine + (is_limited ? bytes_of_bounds : 0) +
@@ -38,23 +38,23 @@ public:
     const unsigned wanted = options.parts_in_flight > 0
                                 ? options.parts_in_flight
                                 : (std::max)(1U, std::thread::hardware_concurrency());
-    // Parts of later phases may have half as many faces again, since a vertex that is left is not
-    // always one of two faces.
+    // Chunks of later phases may have half as many faces again, because a remaining vertex does not
+    // always stand for two faces.
     in_flight_ =
         static_cast<unsigned>(std::clamp<std::uint64_t>(most_faces() / part_faces_, 1, wanted));
   }
 
-  /// Faces of a surface that can be simplified at once.
+  /// The number of faces that can be simplified at the same time.
   std::uint64_t most_faces() const { return (memory_ - base) / per_face_; }
-  /// Of the whole, when it is simplified to the target itself.
+  /// The number of faces of the whole surface, when it is simplified to the target itself.
   std::uint64_t whole_faces() const { return whole_faces_; }
   std::uint64_t part_faces() const { return part_faces_; }
   std::uint64_t part_vertices() const { return std::max<std::uint64_t>(part_faces_ / 2, 1); }
   unsigned in_flight() const { return in_flight_; }
-  /// For the buffers of the files of all parts.
+  /// The memory for the buffers of the files of all chunks.
   std::uint64_t buffers() const { return memory_ / 16; }
 
-  /// What a run takes at its greatest, about, of a surface that is simplified to `target` faces.
+  /// Returns about the peak memory of a run on a surface that is simplified to `target` faces.
   std::uint64_t expected(std::uint64_t faces, std::uint64_t vertices, std::uint64_t target) const {
     const std::uint64_t parts = in_flight_ * (std::min)(part_faces_, faces);
     const std::uint64_t whole =
@@ -63,7 +63,7 @@ public:
     return (std::min)(memory_, base / 2 + (std::max)(tables, per_face_ * (std::max)(parts, whole)));
   }
 
-  /// On what the result depends.
+  /// Adds to the key what affects the result.
   void tell(JobKey& key) const {
     key.add_number(part_faces_);
     key.add_number(whole_faces_);
@@ -78,7 +78,7 @@ public:
                                   std::to_string(needed * 16 / 15) + " bytes");
   }
 
-  /// Of the process, in bytes, as the system counts it.
+  /// Returns the peak memory of the process in bytes, as the system counts it.
   static std::uint64_t peak() {
     struct ::rusage usage = {};
     ::getrusage(RUSAGE_SELF, &usage);
@@ -86,11 +86,12 @@ public:
   }
 
 private:
-  static constexpr std::uint64_t base = 64'000'000;           // program, cells, and what is small
-  static constexpr std::uint64_t bytes_of_engine = 200;       // with the part as it is read
+  // the program, the cells, and small data
+  static constexpr std::uint64_t base = 64'000'000;
+  static constexpr std::uint64_t bytes_of_engine = 200;       // including the chunk as it is read
   static constexpr std::uint64_t bytes_of_bounds = 36;        // in the engine, and as they are read
-  static constexpr std::uint64_t bytes_of_scalar = 96;        // of a vertex, with its map
-  static constexpr std::uint64_t most_part_faces = 4'000'000; // more gain nothing
+  static constexpr std::uint64_t bytes_of_scalar = 96;        // per vertex, including its map
+  static constexpr std::uint64_t most_part_faces = 4'000'000; // more faces gain nothing
 
   std::uint64_t memory_, per_face_, part_faces_, whole_faces_;
   unsigned in_flight_;

@@ -17,19 +17,19 @@
 
 namespace quadrille::internal {
 
-/// Adds what a vertex remembers, as bytes, to what it remembers.
+/// Adds one state of a vertex, as bytes, to another.
 using AddState = void (*)(void* total, const void* gained);
 
-/// What vertices remember that several parts have had: what they had been given, and what they have
-/// gained in each of them, in ascending order of parts, so that the sum has the same bits however
-/// the parts were run.
+/// The states of vertices that several chunks have had: the state that they were given, and what
+/// was added to it in each chunk, in ascending order of chunks, so that the sum has the same bits
+/// in whatever order the chunks ran.
 class SharedStates {
 public:
   SharedStates(std::size_t size, AddState add_state) : size_(size), add_(add_state) {}
 
   std::size_t size() const { return size_; } ///< of a state, in bytes
 
-  /// From parts in ascending order.
+  /// Adds the chunks in ascending order.
   void add(const Survivors& part) {
     if (size_ == 0)
       return;
@@ -61,7 +61,7 @@ public:
     bytes_ = {};
   }
 
-  /// Of a vertex that is one of them.
+  /// Returns the state of one of these vertices.
   const char* total(VertexId id) const { return totals_.data() + index_.front().find(id) * size_; }
 
 private:
@@ -74,7 +74,7 @@ private:
   void append(const char* state) { bytes_.insert(bytes_.end(), state, state + size_); }
   const char* gained(const Entry& e) const { return bytes_.data() + 2 * e.place * size_; }
 
-  // All parts have been given the same, so that of the first is taken.
+  // All chunks were given the same state, so the first one's is taken.
   void begin_total(const Entry& e) {
     ids_.push_back(e.id);
     const char* const first = e.is_given ? gained(e) + size_ : gained(e);
@@ -86,15 +86,16 @@ private:
   std::size_t size_;
   AddState add_;
   std::vector<Entry> entries_;
-  std::vector<char> bytes_; // of each entry, what it has gained, and what it had been given
+  std::vector<char> bytes_; // for each entry, what was added to the state, and the state that was
+                            // given
   std::vector<char> zeros_ = std::vector<char>(size_);
   std::vector<VertexId> ids_;
   std::vector<char> totals_;
   std::vector<IdIndex> index_; // one, once there are ids
 };
 
-/// From what is left of the parts of a phase to the parts of the next. Each file is read three
-/// times, one after the other, and once more where vertices remember.
+/// Turns the remaining chunks of a phase into the chunks of the next one. Each file is read three
+/// times, one file after another, and once more if vertices have a state.
 class NextParts {
 public:
   NextParts(const JobFolder& folder, unsigned phase, std::vector<SurvivorsHeader> old_parts,
@@ -102,7 +103,7 @@ public:
       : folder_(folder), phase_(phase), old_(std::move(old_parts)), states_(state_size(old_), add) {
   }
 
-  /// Calls take(Survivors) for each of them, in ascending order.
+  /// Calls take(Survivors) for each chunk, in ascending order.
   template <class Take>
   void for_survivors(Take take) const {
     for (std::size_t i = 0; i < old_.size(); ++i)
@@ -122,7 +123,7 @@ public:
     return sum;
   }
 
-  /// Writes the parts of the next phase, cut at `fraction`.
+  /// Writes the chunks of the next phase, cut at `fraction`.
   PartScatter write(const FileBox& box, std::uint64_t ids, std::uint64_t part_vertices,
                     double fraction, std::uint64_t buffers) {
     const PartTree cut(box, vertices(), part_vertices, fraction, [&](auto take) {
@@ -156,7 +157,7 @@ private:
     return static_cast<std::size_t>(size);
   }
 
-  // Calls take(corners, their places, their homes).
+  // Calls take(corners, their positions, the chunks in which they lie).
   template <class Take>
   static void for_faces(const Survivors& part, const PartTree& cut, Take take) {
     std::vector<VertexId> ids;
@@ -208,7 +209,7 @@ private:
   }
 
   const JobFolder& folder_;
-  unsigned phase_; // that is over
+  unsigned phase_; // the phase that has ended
   std::vector<SurvivorsHeader> old_;
   SharedStates states_;
 };

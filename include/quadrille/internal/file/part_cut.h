@@ -14,16 +14,17 @@
 
 namespace quadrille::internal {
 
-/// Number of a part, of at most 65,535.
+/// The number of a chunk, at most 65,535.
 using PartNumber = std::uint16_t;
 inline constexpr std::size_t most_parts = 0xFFFF;
 
-/// Space cut into parts of about as many vertices each, by a kd-tree (Bentley 1975) over a
-/// histogram: all is decided by integers, so it is the same on any machine.
+/// Space that is cut into chunks with about equal numbers of vertices, by a kd-tree (Bentley 1975)
+/// over a histogram: integers decide everything, so the result is the same on any machine.
 ///
-/// A box of cells is cut across its longest side, where the vertices on one side are closest to
-/// `fraction` of all, and again until each has at most `most` vertices. Where the next cut is made
-/// at another fraction, borders of the last one lie inside of parts, but where both cross.
+/// A box of cells is cut across its longest side, where the number of vertices on one side is
+/// closest to `fraction` of all, and its halves are cut again until each has at most `most`
+/// vertices. If the next cut uses another fraction, the boundaries of the last one lie inside
+/// chunks, except where both cross.
 class PartCut {
 public:
   PartCut(const CellCounts& cells, std::uint64_t most, double fraction)
@@ -34,7 +35,7 @@ public:
   }
 
   std::size_t size() const { return sizes_.size(); }
-  /// Vertices of each part.
+  /// The number of vertices of each chunk.
   const std::vector<std::uint64_t>& sizes() const { return sizes_; }
   PartNumber part_of(const Vector<3>& p) const { return parts_[grid_.index_of(p)]; }
 
@@ -51,8 +52,8 @@ private:
     std::vector<PartNumber>& parts;
     std::vector<std::uint64_t> sizes = {};
 
-    // By turns the lower side and the upper one have the fraction, lest all corners of the box get
-    // the small parts.
+    // The lower side and the upper one have the fraction in turn, so that the small chunks are not
+    // all at the corners of the box.
     void run(const Cells& box, bool is_mirrored = false) {
       const std::size_t axis = longest(box);
       const std::vector<std::uint64_t> counts = counts_along(box, axis);
@@ -93,7 +94,7 @@ private:
       return counts;
     }
 
-    // Behind how many layers.
+    // Returns the number of layers before the cut.
     static std::uint32_t place(const std::vector<std::uint64_t>& counts, std::uint64_t all,
                                double fraction) {
       const auto wanted = static_cast<std::uint64_t>(fraction * static_cast<double>(all));
@@ -106,7 +107,7 @@ private:
 
     void give_number(const Cells& box, std::uint64_t all) {
       if (all == 0)
-        return; // nobody asks for its cells but points that have moved, which part 0 takes
+        return; // only points that have moved lie in its cells, and chunk 0 takes them
       for_cells(box, [&](const Cell&, std::size_t i) {
         parts[i] = static_cast<PartNumber>(sizes.size());
       });

@@ -13,12 +13,12 @@
 #include <utility>
 
 /// \file
-/// Limits of distances for surfaces in parts: they are told each part beside where its phase ends,
-/// and what faces have used of them goes along from phase to phase.
+/// Distance limits for out-of-core surfaces: each chunk gets the limit in addition to the end of
+/// its phase, and the distances that its faces have used are passed on from phase to phase.
 
 namespace quadrille::internal {
 
-/// DistanceLimit, HausdorffLimit or ToleranceLimit, as is told at run time.
+/// A DistanceLimit, HausdorffLimit or ToleranceLimit that is chosen at run time.
 class DistanceChoice {
 public:
   enum class Kind { one_way, both_ways, tolerances };
@@ -50,8 +50,8 @@ private:
   bool is_relative_;
 };
 
-/// Among policies there may be one limit, or a std::optional of one; each of them as a tuple of
-/// what it is, or of nothing.
+/// Returns a limit as a tuple of one element, or an empty tuple for any other policy. Policies may
+/// include one limit, or a std::optional of one.
 template <class Policy>
 auto limit_as_tuple(const Policy& policy) {
   if constexpr (needs_of<Policy>().distance)
@@ -67,13 +67,13 @@ auto other_as_tuple(const Policy& policy) {
     return std::tuple<Policy>(policy);
 }
 
-/// A limit in a part, which is as large as the whole.
+/// A limit in a chunk, which applies with the size of the whole surface.
 template <class Limit>
 struct LimitInPart {
   static constexpr Needs needs = needs_of<Limit>();
 
   Limit limit;
-  double diagonal; ///< of the whole
+  double diagonal; ///< of the whole surface
 
   Needs needs_now() const { return internal::needs_now(limit); }
   bool operator()(Status status) const {
@@ -82,7 +82,7 @@ struct LimitInPart {
   }
 };
 
-/// A limit, if it is given, in a part of a surface of that diagonal.
+/// Returns a limit, if it is given, in a chunk of a surface with that diagonal.
 template <class Limit>
 auto limit_in_part(const Limit& limit, double diagonal) {
   if constexpr (IsOptional<Limit>)
@@ -91,8 +91,9 @@ auto limit_in_part(const Limit& limit, double diagonal) {
     return LimitInPart<Limit>{limit, diagonal};
 }
 
-/// What a target says of faces, and what of distances: the one is a FaceCount or a FaceRatio, of
-/// no faces if nothing is said of them; the other a tuple of a limit, or of nothing.
+/// Separates a target into its faces and its distances. The first is a FaceCount or a FaceRatio, of
+/// no faces if the target does not mention faces; the second is a tuple of a limit, or an empty
+/// one.
 template <class Stop>
 auto faces_and_limit(const Stop& stop) {
   static_assert(!IsOptional<Stop>, "quadrille::simplify_file: a std::optional alone is no target: "

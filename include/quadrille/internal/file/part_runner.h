@@ -23,7 +23,7 @@
 
 namespace quadrille::internal {
 
-/// What simplifies parts of a job: the engine with its policies.
+/// Simplifies chunks of a job: the engine with its policies.
 template <class Cost, class Placement, class... Policies>
 class PartRunner {
 public:
@@ -43,7 +43,7 @@ public:
                 "quadrille: a part of a file is no closed surface: hulls are for surfaces in "
                 "memory");
 
-  /// Do vertices of the boundary stay?
+  /// Do boundary vertices stay?
   PartRunner(bool locks_boundary, Cost cost, Placement placement, const Policies&... policies)
       : locks_boundary_(locks_boundary), cost_(std::move(cost)), placement_(std::move(placement)),
         limits_(std::tuple_cat(limit_as_tuple(policies)...)),
@@ -61,10 +61,11 @@ public:
   }
   /// Are distances limited?
   bool is_limited() const { return needs_of_limits().distance; }
-  /// By tolerances?
+  /// Are distances limited by tolerances?
   bool is_limited_by_tolerance() const { return needs_of_limits().tolerance; }
 
-  /// Simplifies a part, and writes what is left; false, and nothing is written, if it is cancelled.
+  /// Simplifies a chunk and writes the result; returns false, and writes nothing, if it is
+  /// cancelled.
   template <class IsCancelled>
   bool simplify(const PartedJob& job, std::size_t part, const IsCancelled& is_cancelled) const {
     const PhasePlan& plan = job.plan();
@@ -89,7 +90,8 @@ public:
     return true;
   }
 
-  /// Some pieces of a part, about a sixteenth of it together; of a small one, all of it.
+  /// Takes samples of some regions of a chunk, about a sixteenth of it together, or all of a small
+  /// chunk.
   template <class IsCancelled>
   std::vector<CostSample> samples(const PartedJob& job, std::size_t part, std::size_t pieces,
                                   const IsCancelled& is_cancelled) const {
@@ -108,7 +110,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t least_sample = 8000; // vertices
+  static constexpr std::size_t least_sample = 8000; // the least number of vertices in a sample
 
   CostLimit limit(const PhasePlan& plan, double engine_cost) const {
     return cost_limit(cost_, Pieces::box(plan.input.box), engine_cost);
@@ -125,8 +127,8 @@ private:
     return {counts.free_faces, run(std::move(piece), job, channels, unlimited, is_cancelled).costs};
   }
 
-  // At first of vertices, and from then on faces have them. Returns the greatest of the input's
-  // faces, as far as the part knows.
+  // First the vertices have tolerances, and afterwards the faces do. Returns the greatest tolerance
+  // of the input's faces, as far as the chunk knows it.
   static double take_tolerances(Piece<Cost>& piece, const PartedJob& job,
                                 const std::vector<double>& scalars) {
     const std::optional<std::size_t> place = job.scalars().tolerance();
@@ -141,7 +143,7 @@ private:
     for (const auto& [a, b, c] : piece.triangles)
       greatest = (std::max)(
           greatest, (std::min)({piece.tolerances[a], piece.tolerances[b], piece.tolerances[c]}));
-    return (std::min)(greatest, 2 * piece.box.diagonal()); // beyond that nothing is limited
+    return (std::min)(greatest, 2 * piece.box.diagonal()); // a greater tolerance limits nothing
   }
 
   template <class IsCancelled>
@@ -155,7 +157,7 @@ private:
                       limits_);
   }
 
-  // Where the part ends, by the phase and by the limit of distances, if there is one.
+  // Ends the chunk with the phase and at the distance limit, if there is one.
   template <class Stop>
   auto limited(const Stop& stop, const PartedJob& job) const {
     if constexpr (has_limit)
@@ -164,7 +166,7 @@ private:
       return stop;
   }
 
-  // Without channels by the engine that has none, and pays nothing for them.
+  // A chunk without channels uses the engine without channels, and so does not pay for them.
   template <class Stop, class IsCancelled>
   PieceResult<Cost> run(Piece<Cost> piece, const PartedJob& job, const PieceChannels& channels,
                         const Stop& stop, const IsCancelled& is_cancelled) const {

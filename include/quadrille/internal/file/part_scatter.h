@@ -19,7 +19,7 @@
 
 namespace quadrille::internal {
 
-/// Which parts, beside the one in which it lies, need a vertex.
+/// A vertex, and a chunk that needs it although it lies in another one.
 struct Request {
   VertexId vertex; ///< by any numbering
   PartNumber part;
@@ -39,8 +39,8 @@ public:
       limit_ = (std::max)(limit_, 2 * requests_.size());
     }
   }
-  /// Calls take(part) for each that requests the vertex. Vertices have to come in ascending order,
-  /// after sort().
+  /// Calls take(part) for each chunk that requests the vertex. Vertices must come in ascending
+  /// order, after sort().
   template <class Take>
   void for_parts(VertexId vertex, Take take) {
     for (; next_ < requests_.size() && requests_[next_].vertex <= vertex; ++next_)
@@ -57,9 +57,9 @@ private:
   std::size_t limit_ = 1 << 20, next_ = 0;
 };
 
-/// Gives faces and vertices to the files of the parts of a phase. A face belongs to the least of
-/// the parts in which its corners lie; a vertex to that in which it lies, and to those of its
-/// faces. It is shared if one of its faces is in another part than it lies in.
+/// Writes faces and vertices to the files of the chunks of a phase. A face belongs to the lowest of
+/// the chunks in which its corners lie; a vertex belongs to the chunk in which it lies, and to the
+/// chunks of its faces. It is shared if one of its faces is in another chunk than the vertex.
 class PartScatter {
 public:
   PartScatter(const JobFolder& folder, unsigned phase, std::size_t parts, std::uint64_t ids,
@@ -70,8 +70,8 @@ public:
         bounds_(paths(has_bounds ? parts : 0, &JobFolder::bounds), memory), shared_(ids),
         parts_(parts), has_labels_(has_labels), has_bounds_(has_bounds) {}
 
-  /// `homes` are the parts in which the corners lie; request(i, part) is called for a corner i that
-  /// another part has to be given.
+  /// `homes` are the chunks in which the corners lie; request(i, part) is called for a corner i
+  /// that another chunk must be given.
   template <class Ask>
   void add_face(const FaceRow& corners, const std::array<PartNumber, 3>& homes, std::uint32_t label,
                 const FaceBound& bound, Ask request) {
@@ -88,7 +88,7 @@ public:
       }
   }
 
-  /// When all faces are there.
+  /// Must be called after all faces have been added.
   void end_faces() {
     const std::vector<FileContent> contents = faces_.finish();
     for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -101,7 +101,7 @@ public:
       parts_[p].bounds = bounds[p];
   }
 
-  /// `scalars` are those of the vertex, `state` the bytes of what it remembers.
+  /// `scalars` are the vertex's scalars, and `state` is its state in bytes.
   void add_vertex(PartNumber part, VertexRow row, std::span<const double> scalars,
                   std::span<const char> state) {
     row.is_shared = shared_.has(row.id) ? 1 : 0;
@@ -121,7 +121,7 @@ public:
   const IdSet& shared() const { return shared_; }
   std::uint64_t shared_count() const { return IdRanks(shared_).size(); }
   const std::vector<PartFiles>& parts() const { return parts_; }
-  /// Counts faces that are there a second time in each part. Returns how many these are in all.
+  /// Counts in each chunk the faces that occur again. Returns their total number.
   std::uint64_t count_doubled() {
     std::uint64_t sum = 0;
     for (std::size_t p = 0; p < parts_.size(); ++p)

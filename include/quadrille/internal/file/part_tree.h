@@ -15,9 +15,10 @@
 
 namespace quadrille::internal {
 
-/// Cells of a box for so many vertices, of which a part may have `most`, so that parts can be cut
-/// evenly: of 2^bits cells along its longest side, a surface meets about the square. There are no
-/// more than take a few bytes for each vertex of a part: where that is too coarse, see PartTree.
+/// Returns the cells of a box for the given number of vertices, fine enough for even chunks of up
+/// to `most` vertices: with 2^bits cells along its longest side, a surface meets about the square
+/// of that. Their number is limited to a few bytes for each vertex of a chunk; if that is too
+/// coarse, see PartTree.
 inline CellGridOfBox grid_for_parts(const FileBox& box, std::uint64_t vertices,
                                     std::uint64_t most) {
   const std::uint64_t parts = vertices / most + 1;
@@ -28,13 +29,13 @@ inline CellGridOfBox grid_for_parts(const FileBox& box, std::uint64_t vertices,
   return {box, bits};
 }
 
-/// Space cut into parts of about as many vertices each, however crowded they are: where a single
-/// cell holds more than twice as many as a part may have, the box of these vertices has cells of
-/// its own, and is cut by itself.
+/// Space that is cut into chunks with about equal numbers of vertices, however crowded they are: if
+/// a single cell holds more than twice as many vertices as a chunk may have, the box of these
+/// vertices has cells of its own, and is cut by itself.
 class PartTree {
 public:
-  /// for_points(take) calls take(position) for each of all vertices; that is done once, and twice
-  /// for each level of cells in cells.
+  /// for_points(take) must call take(position) for each vertex; it is called once, and twice for
+  /// each level of nested cells.
   template <class ForPoints>
   PartTree(const FileBox& box, std::uint64_t vertices, std::uint64_t most, double fraction,
            ForPoints for_points)
@@ -48,8 +49,8 @@ public:
   }
 
   std::size_t size() const { return sizes_.size(); }
-  /// Vertices of each part. Where more than twice as many as a part may have lie at one place, they
-  /// are in one part all the same.
+  /// The number of vertices of each chunk. If more than twice as many vertices as a chunk may have
+  /// lie at one position, they are in one chunk nevertheless.
   const std::vector<std::uint64_t>& sizes() const { return sizes_; }
   PartNumber part_of(const Vector<3>& p) const {
     const Leaf leaf = leaf_of(p);
@@ -60,12 +61,12 @@ private:
   static constexpr unsigned most_levels = 12;
   static constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
-  using Leaf = std::pair<std::size_t, PartNumber>; // a node, and a part of its cut
+  using Leaf = std::pair<std::size_t, PartNumber>; // a node, and a chunk of its cut
 
   struct Node {
     PartCut cut;
-    std::vector<std::size_t> finer;  // of each part, the node that cuts it, or no_node
-    std::vector<PartNumber> numbers; // of each part that is not cut further
+    std::vector<std::size_t> finer;  // for each chunk, the node that cuts it, or no_node
+    std::vector<PartNumber> numbers; // for each chunk that is not cut further
   };
 
   struct Crowd {
@@ -90,7 +91,7 @@ private:
     }
   }
 
-  // False if no leaf is crowded, or none can be cut.
+  // Returns false if no leaf is crowded, or if none can be cut.
   template <class ForPoints>
   bool refine(ForPoints for_points) {
     std::map<Leaf, Crowd> crowds;
@@ -113,7 +114,7 @@ private:
     for_crowds([](Crowd& crowd, const Vector<3>& p) { crowd.cells.front().add(p); });
     bool is_cut = false;
     for (auto& [leaf, crowd] : crowds)
-      if (crowd.cells.front().counts.size() > 1) { // else they lie at one place
+      if (crowd.cells.front().counts.size() > 1) { // otherwise they lie at one position
         nodes_[leaf.first].finer[leaf.second] = add_node(crowd.cells.front());
         is_cut = true;
       }

@@ -20,16 +20,16 @@
 
 namespace quadrille::internal {
 
-/// How far two surfaces in parts are apart at most, one way and the other, beyond the tolerances of
-/// the input, as CheckedDistance has it of surfaces in memory. A part is measured against the faces
-/// of the other surface that are within a margin of it: if nothing is further than the margin, no
-/// other face would be nearer. Where faces allow something, what is beyond that by the margin less
-/// what is allowed at most.
+/// Measures the greatest distance between two out-of-core surfaces, in both directions, beyond the
+/// tolerances of the input, as CheckedDistance does for surfaces in memory. A chunk is measured
+/// against the faces of the other surface within a margin of it: if no point is further away than
+/// the margin, no other face would be nearer. If faces allow a distance, this holds for an excess
+/// up to the margin minus the greatest allowed distance.
 class PartedDistance {
 public:
-  /// Both are in the frame. `expected` is how far they may be apart, about, in the unit of the
-  /// files: it does no more than make it fast. `most` faces are measured against at a time, if it
-  /// can be.
+  /// Both surfaces are in the frame. `expected` is about the distance that they may have, in the
+  /// unit of the files: it affects only the speed. At most `most` faces are measured against at a
+  /// time, if possible.
   PartedDistance(const PartedSurface& input, const PartedSurface& result,
                  const DistanceFrame& frame, double diagonal, double expected, std::size_t most,
                  CheckProgress& progress)
@@ -43,11 +43,11 @@ public:
     double distance;
     Vector<3> place; ///< where it was found
   };
-  /// How far a point of the input is from the result, at most; beyond the tolerance of its face, if
-  /// that has one. It tells less than the truth by no
-  /// more than `error`, and never more.
+  /// Returns the greatest distance of a point of the input to the result; beyond the tolerance of
+  /// its face, if that has one. The value is at most the true one and less than it by at most
+  /// `error`.
   Measured of_input(double error) const { return Search(*this, result_, error).look_at(input_); }
-  /// The same of points of the result.
+  /// Returns the greatest distance of a point of the result to the input, likewise.
   Measured of_result(double error) const { return Search(*this, input_, error).look_at(result_); }
 
 private:
@@ -88,9 +88,9 @@ private:
       }
     }
 
-    // False if something is further than the margin, or if there are too many faces within it. With
-    // tolerances what exceeds them by next to nothing is left out where it may be less, else all
-    // that they allow would have to be within the margin.
+    // Returns false if a point is further away than the margin, or if there are too many faces
+    // within it. With tolerances, a tiny excess is ignored if the result may be less by that much;
+    // otherwise all that the tolerances allow would have to be within the margin.
     bool measure(const Faces& faces, const CGAL::Bbox_3& box, double margin) {
       const bool can_be_split = longest(box) > margin;
       std::optional<Faces> near = to_.near(grown(box, margin), distance_.most_);
@@ -130,8 +130,8 @@ private:
       return length;
     }
 
-    // Those of one side of the middle, and of the other. What is as long as half of the box is
-    // halved itself, so that boxes become smaller in any case.
+    // Separates the faces on one side of the middle from those on the other. A face that is longer
+    // than half of the box is itself halved, so that boxes become smaller in any case.
     static std::pair<Faces, Faces> halves(const Faces& faces, const CGAL::Bbox_3& box) {
       int axis = 0;
       for (int i = 1; i < 3; ++i)
@@ -152,7 +152,7 @@ private:
       return result;
     }
 
-    // Across its longest side.
+    // Halves a triangle across its longest side.
     static std::array<DistanceTriangle, 2> halves(const DistanceTriangle& t) {
       int side = 0;
       const auto length = [&](int i) { return CGAL::squared_distance(t[i], t[(i + 1) % 3]); };

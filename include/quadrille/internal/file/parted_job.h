@@ -25,10 +25,10 @@
 
 namespace quadrille::internal {
 
-/// The files of a job and its phases: all but what simplifies a part.
+/// The files of a job and its phases: everything except the simplification of a chunk.
 class PartedJob {
 public:
-  /// `importance` is how much the scalars of vertices count.
+  /// `importance` is the weight of the vertices' scalars.
   PartedJob(const std::filesystem::path& scratch, const MemoryBudget& budget,
             const FileTarget& target, VertexScalars scalars, double importance, std::uint64_t key,
             const FileEstimate& estimate)
@@ -41,14 +41,14 @@ public:
   std::uint64_t key() const { return key_; }
   const FileEstimate& estimate() const { return estimate_; }
   const VertexScalars& scalars() const { return scalars_; }
-  /// Of rows of these scalars.
+  /// Returns the channels for rows of these scalars.
   PieceChannels channels(const std::vector<double>& rows) const {
     return scalars_.piece(rows, plan_.input.ranges, diagonal(), importance_);
   }
-  /// Of the input.
+  /// The diagonal of the input's box.
   double diagonal() const { return Box<3>(plan_.input.box.low, plan_.input.box.high).diagonal(); }
   std::uint64_t target() const { return target_.faces(plan_.input.counted_faces); }
-  /// Of a part, where the phase ends with a count and not at a limit.
+  /// Returns the target of a chunk if the phase ends at a count and not at a limit.
   FaceCount count(std::size_t part) const {
     if (plan_.is_last)
       return FaceCount{static_cast<std::size_t>(target())};
@@ -68,8 +68,8 @@ public:
     return {plan_.input.counted_faces, target(), budget_.part_vertices()};
   }
 
-  /// Takes up the phase that is at work in the folder. False if there is none. Throws
-  /// std::runtime_error if it is that of another job.
+  /// Resumes the current phase in the folder. Returns false if there is none. Throws
+  /// std::runtime_error if it belongs to another job.
   bool take_up() {
     const unsigned phase = folder_.phase_at_work();
     if (phase == 0)
@@ -80,14 +80,15 @@ public:
                                 "parts; remove it, or give another folder");
     return true;
   }
-  /// The phase before is over, and its files go, also if a run was killed before that.
+  /// Removes the files of the previous phase, which has ended, even if a run was killed before it
+  /// could do so.
   void remove_phase_before() const {
     if (plan_.phase > 1)
       folder_.remove_phase(plan_.phase - 1);
   }
 
-  /// Cuts a file into the parts of the first phase. `tell(stage, part)` is called with the part of
-  /// the stage that is done, and may throw.
+  /// Cuts a file into the chunks of the first phase. `tell(stage, part)` is called with the
+  /// fraction of the stage that is done, and may throw.
   template <class Tell>
   void cut_file(const PlyInput& input, Tell tell) {
     budget_.require_tables(input.vertices());
@@ -95,7 +96,7 @@ public:
       fail_file(input.file().path(), "nothing to simplify: it has no faces");
     const InputSurvey survey(input, scalars_.tolerance(),
                              [&](double part) { tell(FileStage::survey, part); });
-    folder_.remove_phases(); // of a run that was killed
+    folder_.remove_phases(); // left by a killed run
     folder_.begin_phase(1);
     PhasePlan plan;
     plan.key = key_;
@@ -114,7 +115,7 @@ public:
     begin(std::move(plan), scatter);
   }
 
-  /// Parts of the phase end at that cost, in the engine's unit.
+  /// Sets the cost, in the engine's unit, at which the chunks of the phase end.
   void settle(float limit) {
     plan_.limit = static_cast<double>(limit);
     plan_.is_by_count = !is_limit(plan_.limit);
@@ -122,7 +123,7 @@ public:
     plan_.write(folder_.plan(plan_.phase));
   }
 
-  /// Is that part simplified? Its file is read as a whole, so that it is sure.
+  /// Has that chunk been simplified? Its file is read completely, to be certain.
   bool is_done(std::size_t part) const {
     const auto path = folder_.left(plan_.phase, part);
     const auto header = Survivors::header(path, part_key(), plan_.phase, part);
@@ -132,7 +133,7 @@ public:
       Survivors::read(path, *header);
       return true;
     } catch (const std::runtime_error&) {
-      return false; // it is done again
+      return false; // the chunk is simplified again
     }
   }
 
@@ -145,8 +146,8 @@ public:
     survivors.write(folder_.left(plan_.phase, part), header);
   }
 
-  /// Ends a phase of which all parts are done, and begins the next one; or, if it has left far too
-  /// little, the same again, which leaves more. False if it was the last.
+  /// Ends a phase whose chunks are all done, and begins the next one; or, if the phase has left far
+  /// too few faces, begins it again so that it leaves more. Returns false if it was the last phase.
   bool end_phase(AddState add) {
     NextParts next(folder_, plan_.phase, headers(), add);
     if (has_taken_too_much(next.faces()))
@@ -171,7 +172,7 @@ public:
     plan.is_exact = !fits && is_enough;
     plan.is_last = fits && (plan.step >= schedule().size() || next.faces() <= target() || is_held ||
                             (target_.is_limited() && next.faces() <= budget_.part_faces()));
-    folder_.remove_parts(plan_.phase); // what is left of them is there
+    folder_.remove_parts(plan_.phase); // their results exist
     folder_.begin_phase(plan.phase);
     const std::uint64_t most = plan.is_last ? next.vertices() : budget_.part_vertices();
     const PartScatter scatter = next.write(plan.input.box, plan.input.vertices, most,
@@ -181,7 +182,7 @@ public:
     return true;
   }
 
-  /// What has been done in phases that are over.
+  /// Returns a report of the phases that have ended.
   FileReport report() const {
     FileReport report;
     report.doubled_faces = static_cast<std::size_t>(plan_.input.doubled_faces);
@@ -203,7 +204,7 @@ public:
     return report;
   }
 
-  /// Adds what the phase at work has done, which is over.
+  /// Adds the counts of the current phase, which has ended.
   void add_last_phase(FileReport& report) const {
     PhasePlan plan = plan_;
     count_up(plan);
@@ -219,7 +220,7 @@ public:
                                                              : StopReason::target_unreachable;
   }
 
-  /// What is left becomes a file.
+  /// Merges the remaining chunks into one file.
   void sew(const std::filesystem::path& output, FileReport& report) const {
     const std::vector<SurvivorsHeader> parts = headers();
     const Sewing sewing(folder_, plan_, scalars_, parts);
@@ -228,7 +229,7 @@ public:
     report.vertices_after = static_cast<std::size_t>(sewing.vertices());
   }
 
-  /// Of the parts of the phase. Throws std::logic_error if one is not done.
+  /// Returns the headers of the phase's chunks. Throws std::logic_error if one is not done.
   std::vector<SurvivorsHeader> headers() const {
     std::vector<SurvivorsHeader> result;
     for (std::size_t p = 0; p < plan_.parts.size(); ++p) {
@@ -244,7 +245,7 @@ public:
   }
 
 private:
-  // How far parts are from the input. Returns how many faces they have.
+  // Adds the distances of the chunks from the input. Returns the number of their faces.
   static std::uint64_t add_distances(const std::vector<SurvivorsHeader>& parts,
                                      FileReport& report) {
     std::uint64_t left = 0;
@@ -257,7 +258,7 @@ private:
       if (h.counters.used_tolerance > used.part)
         used = {h.counters.used_tolerance, h.counters.place_of_used};
     }
-    if (used.part >= 0 && std::isfinite(report.hausdorff_bound)) // else points have been lost
+    if (used.part >= 0 && std::isfinite(report.hausdorff_bound)) // otherwise points have been lost
       report.used_tolerance = used;
     return left;
   }
@@ -271,7 +272,7 @@ private:
     report.bytes_written = plan.bytes_written;
   }
 
-  // As many as there are for faces that fit.
+  // Returns as many vertices as belong to the number of faces that fit.
   std::uint64_t part_vertices(const InputFacts& input) const {
     const double per_face =
         static_cast<double>(input.used_vertices) / static_cast<double>(input.counted_faces);
@@ -279,10 +280,10 @@ private:
     return std::max<std::uint64_t>(static_cast<std::uint64_t>(count), 1);
   }
 
-  // What is left of parts belongs to an attempt.
+  // The remaining chunks belong to one attempt.
   std::uint64_t part_key() const { return key_ + plan_.attempt; }
 
-  // A limit is found from samples, which may have told less than there was to take.
+  // A limit is found from samples, which may have shown fewer removable faces than there were.
   bool has_taken_too_much(std::uint64_t left) const {
     if (plan_.is_last || plan_.is_exact || plan_.is_by_count)
       return false;
@@ -293,8 +294,9 @@ private:
     return left < (std::min)(target(), before) || left < aim - aim / 3;
   }
 
-  // Costs are areas times squared distances, about as the count of faces to the power of -3. If
-  // that was no help, or costs are too small to be told apart, parts give their shares of a count.
+  // Costs are areas times squared distances, so they grow about as the face count to the power of
+  // -3. If a lower limit did not help, or if costs are too small to be distinguished, each chunk
+  // contributes its share of a count.
   void take_back(std::uint64_t left) {
     const double ratio = static_cast<double>(left) / static_cast<double>(plan_.faces_wanted);
     plan_.limit *= ratio * ratio * ratio;
@@ -304,7 +306,7 @@ private:
   }
   static bool is_limit(double limit) { return limit > 0x1p-120 && limit < 0x1p120; }
 
-  // What the phase that is over has done.
+  // Adds the counts of the phase that has ended.
   void count_up(PhasePlan& plan) const {
     for (const SurvivorsHeader& h : headers()) {
       plan.contractions += h.counters.contractions;

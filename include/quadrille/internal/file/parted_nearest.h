@@ -16,16 +16,17 @@
 
 namespace quadrille::internal {
 
-/// How far points are from a surface in parts, of which one at a time is in memory. Each point is
-/// looked for first in the part whose box is nearest to it, and then in those whose boxes are
-/// nearer than what was found.
+/// Measures the distances of points from an out-of-core surface, of which one chunk at a time is in
+/// memory. Each point is searched for first in the chunk whose box is nearest to it, and then in
+/// the chunks whose boxes are nearer than the distance found.
 class PartedNearest {
 public:
   PartedNearest(const PartedSurface& surface, const std::vector<DistancePoint>& points)
       : surface_(surface), points_(points), homes_(points.size()),
         squares_(points.size(), std::numeric_limits<double>::infinity()) {}
 
-  /// Of each point. `ask()` is called before each part, and may throw.
+  /// Returns the squared distance of each point. `ask()` is called before each chunk, and may
+  /// throw.
   template <class Ask>
   std::vector<double> squared_distances(const Ask& ask) {
     sort_parts();
@@ -81,7 +82,7 @@ private:
     return found;
   }
 
-  // Where something has been found for all of them, no face further than that counts.
+  // After a distance has been found for every point, only faces within the greatest one count.
   void look_into(std::size_t part, const std::vector<std::size_t>& points) {
     if (points.empty())
       return;
@@ -102,9 +103,9 @@ private:
 
   const PartedSurface& surface_;
   const std::vector<DistancePoint>& points_;
-  std::vector<std::pair<double, std::size_t>> parts_; // by how far they are from all points
+  std::vector<std::pair<double, std::size_t>> parts_; // sorted by their distance from all points
   std::vector<std::size_t> homes_;                    // of each point
-  std::vector<double> squares_;                       // of its distance, as found so far
+  std::vector<double> squares_;                       // of the least distance found so far
 };
 
 } // namespace quadrille::internal

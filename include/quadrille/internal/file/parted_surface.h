@@ -26,13 +26,13 @@
 
 namespace quadrille::internal {
 
-/// A box that reaches further by so much on all sides.
+/// Returns a box that is larger by this length on all sides.
 inline CGAL::Bbox_3 grown(const CGAL::Bbox_3& box, double by) {
   return {(box.min)(0) - by, (box.min)(1) - by, (box.min)(2) - by,
           (box.max)(0) + by, (box.max)(1) + by, (box.max)(2) + by};
 }
 
-/// The squared distance of two boxes.
+/// Returns the squared distance between two boxes.
 inline double squared_distance(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b) {
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
@@ -42,12 +42,13 @@ inline double squared_distance(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b) {
   return sum;
 }
 
-/// A surface cut into compact parts that lie in the folder of a job, as those of its phases do, of
-/// which one at a time is in memory.
+/// A surface that is cut into compact chunks. They lie in the folder of a job, as those of its
+/// phases do, and one at a time is in memory.
 class PartedSurface {
 public:
-  /// `number` is that of the phase whose names the files have, `tolerance` the place of that among
-  /// the scalars of vertices, if there is one. `tell(part)` is called now and then, and may throw.
+  /// `number` is the number of the phase whose names the files have; `tolerance` is the index of
+  /// the tolerance among the scalars of vertices, if there is one. `tell(part)` is called now and
+  /// then, and may throw.
   template <class Tell>
   PartedSurface(const JobFolder& folder, unsigned number, const PlyInput& input,
                 std::optional<std::size_t> tolerance, std::uint64_t part_faces,
@@ -69,14 +70,14 @@ public:
     plan_.borders.checksum = Checksum().value();
   }
 
-  /// Of the vertices that faces use, in their unit.
+  /// The box of the vertices that faces use, in their unit.
   CGAL::Bbox_3 box_in_file() const {
     const auto& [low, high] = plan_.input.box;
     return {low[0], low[1], low[2], high[0], high[1], high[2]};
   }
   std::uint64_t faces() const { return plan_.input.counted_faces; }
 
-  /// From here on all is in this frame.
+  /// Sets the frame that applies from now on.
   void enter(const DistanceFrame& frame) {
     frame_ = frame;
     boxes_.clear();
@@ -96,14 +97,14 @@ public:
   std::size_t size() const { return plan_.parts.size(); }
   double area() const { return area_; }
   const CGAL::Bbox_3& box(std::size_t p) const { return boxes_[p]; }
-  /// What faces allow, as faces() has it; 0 without tolerances.
+  /// The least distance that faces allow, as faces() returns it; 0 without tolerances.
   double least_allowance() const { return least_; }
   double greatest_allowance() const { return greatest_; }
 
   DistanceSurface part(std::size_t p) const { return surface_of(load(p)); }
 
-  /// The faces of a part, of which each allows points to be as far from it as the least tolerance
-  /// of its corners.
+  /// Returns the faces of a chunk; each allows points at a distance up to the least tolerance of
+  /// its corners.
   std::vector<AllowedFaces::Face> faces(std::size_t p) const {
     const LoadedPart loaded = load(p);
     const DistanceSurface surface = surface_of(loaded);
@@ -114,13 +115,13 @@ public:
     return faces;
   }
 
-  /// The faces of a part whose boxes meet this one.
+  /// Returns the faces of a chunk whose boxes meet this one.
   std::vector<DistanceTriangle> near(std::size_t p, const CGAL::Bbox_3& place) const {
     std::vector<DistanceTriangle> faces = part(p).triangles;
     std::erase_if(faces, [&](const DistanceTriangle& t) { return !do_overlap(t.bbox(), place); });
     return faces;
   }
-  /// Of all parts; nothing if there are more than that.
+  /// Returns such faces of all chunks; nothing if there are more than `most`.
   std::optional<std::vector<AllowedFaces::Face>> near(const CGAL::Bbox_3& place,
                                                       std::size_t most) const {
     std::vector<AllowedFaces::Face> near;
@@ -153,12 +154,12 @@ private:
         (std::min)({of_corner(corners[0]), of_corner(corners[1]), of_corner(corners[2])}));
   }
 
-  // Of smaller parts borders are the most.
+  // Smaller chunks would consist mostly of boundaries.
   static constexpr std::uint64_t least_vertices = 1000;
 
   JobFolder folder_;
-  PhasePlan plan_;                       // what LoadedPart has to know
-  std::optional<std::size_t> tolerance_; // its place among the scalars of a vertex
+  PhasePlan plan_;                       // the facts that LoadedPart requires
+  std::optional<std::size_t> tolerance_; // its index among the scalars of a vertex
   DistanceFrame frame_{CGAL::Bbox_3()};
   std::vector<CGAL::Bbox_3> boxes_;
   double area_ = 0;

@@ -21,55 +21,58 @@
 
 namespace quadrille::internal {
 
-/// What a part of a phase is read from.
+/// The files from which a chunk of a phase is read.
 struct PartFiles {
   FileContent vertices, faces;
   FileContent labels = {};   ///< of the faces; empty if there are none
-  FileContent bounds = {};   ///< of the faces; empty if nothing is known of their distances
-  std::uint64_t doubled = 0; ///< faces that are there before, which do not count
+  FileContent bounds = {};   ///< of the faces; empty if their distances are unknown
+  std::uint64_t doubled = 0; ///< faces that repeat an earlier one, which do not count
 
   std::uint64_t face_count() const { return faces.size / sizeof(FaceRow) - doubled; }
 };
 
-/// What the input is, and what has been found out about it.
+/// The facts about the input.
 struct InputFacts {
   std::uint64_t vertices = 0, faces = 0; ///< of the file
-  std::uint64_t counted_faces = 0;       ///< those with three different corners, once each
-  std::uint64_t doubled_faces = 0;       ///< those that are there before, the same way round
-  std::uint64_t used_vertices = 0;       ///< those of such faces
+  std::uint64_t counted_faces = 0;       ///< faces with three different corners, once each
+  std::uint64_t doubled_faces = 0;       ///< faces that repeat an earlier one with the same
+                                         ///< orientation
+  std::uint64_t used_vertices = 0;       ///< vertices of the counted faces
   std::uint64_t unused_not_finite = 0;   ///< vertices
   MadeCounts made;
   bool has_doubles = false;
   FileBox box;         ///< of the used vertices
-  ScalarRanges ranges; ///< the same
+  ScalarRanges ranges; ///< of the used vertices
 };
 
-/// A phase that may begin: each of its parts is there, and what becomes of it depends on nothing
-/// else. It is written as a whole when all else of the phase has been, and once more when the limit
-/// of its costs has been found.
+/// The plan of a phase that may begin: each of its chunks exists, and the results depend on nothing
+/// else. It is written as a whole after all other files of the phase, and again when the limit of
+/// its costs has been found.
 struct PhasePlan {
   std::uint64_t key = 0;          ///< of the job: see JobKey
   unsigned phase = 0;             ///< from 1 on
   unsigned step = 0;              ///< of the schedule
-  unsigned attempt = 0;           ///< above 0: the phase had taken too much, and is done again
-  bool is_last = false;           ///< one part, which is simplified to the target itself
-  bool is_exact = false;          ///< each part gives its share of the faces that are too many
-  bool is_settled = false;        ///< is it known where its parts end?
-  bool is_by_count = false;       ///< each gives its share of what is above `faces_wanted`
-  double limit = 0;               ///< up to which cost, in the engine's unit, if it is not the last
-  std::uint64_t faces_wanted = 0; ///< at which the limit is aimed
+  unsigned attempt = 0;           ///< above 0: the phase had removed too much, and is repeated
+  bool is_last = false;           ///< one chunk, which is simplified to the target itself
+  bool is_exact = false;          ///< each chunk contributes its share of the excess faces
+  bool is_settled = false;        ///< is it known where its chunks end?
+  bool is_by_count = false;       ///< each chunk contributes its share of the faces above
+                                  ///< `faces_wanted`
+  double limit = 0;               ///< the greatest cost, in the engine's unit, if it is not the
+                                  ///< last phase
+  std::uint64_t faces_wanted = 0; ///< the target of the limit
   InputFacts input;
   std::vector<PartFiles> parts;
   FileContent borders;
   FileContent label_table;                         ///< empty if there are no labels
-  std::uint64_t first_parts = 0;                   ///< of the first phase
+  std::uint64_t first_parts = 0;                   ///< chunks of the first phase
   std::uint64_t first_shared = 0;                  ///< vertices that several of them had
   std::uint64_t bytes_read = 0, bytes_written = 0; ///< so far
-  std::uint64_t contractions = 0;                  ///< of the phases that are over
-  double error = 0;                                ///< the largest of these
-  double greatest_tolerance = 0; ///< of the input, after the first phase; 0 without any
-  std::array<std::uint64_t, rejection_causes> rejections{}; ///< of them
-  std::vector<std::uint64_t> faces_after_phases = {};       ///< those that are over
+  std::uint64_t contractions = 0;                  ///< of the phases that have ended
+  double error = 0;                                ///< the greatest of these phases
+  double greatest_tolerance = 0; ///< of the input, after the first phase; 0 if there are none
+  std::array<std::uint64_t, rejection_causes> rejections{}; ///< of these phases
+  std::vector<std::uint64_t> faces_after_phases = {};       ///< of the phases that have ended
 
   void write(const std::filesystem::path& path) const {
     std::ostringstream text;
@@ -122,7 +125,8 @@ private:
     return text.str();
   }
 
-  // Calls pass(x) for all numbers of a plan; when it is read, lists get the length that is read.
+  // Calls pass(x) for all numbers of a plan; when a plan is read, lists get the length that was
+  // read.
   template <class Plan, class Pass>
   static void for_numbers(Plan& plan, Pass pass) {
     const auto pass_all = [&](auto&... numbers) { (pass(numbers), ...); };
