@@ -119,7 +119,7 @@ compiler_spellings() {
 words() {
   cd include/quadrille
   wrong=0
-  for path in *.h compiled internal/attributes internal/cluster internal/core internal/guards internal/levels internal/planar internal/verify; do
+  for path in *.h compiled internal; do
     find "$path" -name '*.h' -exec awk '
       BEGIN {
         first = "^(Of|What|The same|Who|Whose|Those|That|Where)( |$)"

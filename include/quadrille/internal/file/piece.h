@@ -19,12 +19,14 @@
 #include <vector>
 
 /// \file
-/// A piece of a surface, simplified by itself, with all that a caller needs who joins the pieces.
+/// Simplifies a chunk of a surface by itself, and returns all that a caller needs to join the
+/// chunks.
 
 namespace quadrille::internal {
 
-/// The limit of a cost in the mesh's units that is one of its keys in the engine's, as
-/// CostHistogram::cost_for() tells it, of surfaces that are simplified in the scale of that box.
+/// Converts a cost limit from the engine's unit to the mesh's units. The limit is one of the cost's
+/// keys, as CostHistogram::cost_for() returns it, for surfaces that are simplified in the scale of
+/// that box.
 template <class Cost>
 CostLimit cost_limit(const Cost& cost, const Box<Cost::dimension>& box, double key) {
   static_assert(has_cost_in_mesh_units<Cost>);
@@ -34,7 +36,7 @@ CostLimit cost_limit(const Cost& cost, const Box<Cost::dimension>& box, double k
 template <>
 inline constexpr bool is_channel<PieceChannels> = true;
 
-/// The channels among the arguments of a call, if there are any.
+/// Returns the channels among the arguments of a call, if there are any.
 inline const PieceChannels* channels_among() {
   return nullptr;
 }
@@ -46,18 +48,18 @@ const PieceChannels* channels_among(const First& first, const Rest&... rest) {
     return channels_among(rest...);
 }
 
-/// Asks for what is remembered, where that is anything.
+/// Requests the states of vertices, if the cost has any.
 template <class Cost>
 struct PieceReporter {
   static constexpr bool asks_for_states = !std::is_empty_v<typename Cost::State>;
 };
 
-/// Simplifies a piece by itself, with any policies that `simplify` takes beside cost and placement,
-/// and PieceChannels; of named parameters, a visitor. All is in the scale of the piece's box.
-/// Positions without faces go. If the visitor cancels before the first contraction, the result is
-/// empty.
+/// Simplifies a chunk by itself. Its policies are all that `simplify` accepts in addition to cost
+/// and placement, and PieceChannels; of named parameters, it accepts a visitor. Everything is in
+/// the scale of the chunk's box. Positions without faces are removed. If the visitor cancels before
+/// the first contraction, the result is empty.
 ///
-/// Throws std::invalid_argument for a piece that makes no sense, and what `simplify` throws.
+/// Throws std::invalid_argument for an invalid chunk, and everything that `simplify` throws.
 template <class Cost, class Placement, class... Arguments>
 PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Placement& placement,
                                  const Arguments&... arguments) {

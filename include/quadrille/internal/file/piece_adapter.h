@@ -33,49 +33,54 @@
 
 namespace quadrille::internal {
 
-/// Part of a surface, which meets other parts at vertices that are shared: see SharedVertices.
-/// Vertices are named by their places in `positions`.
+/// A chunk of a surface, which meets other chunks at vertices that are shared: see SharedVertices.
+/// Vertices are identified by their indices in `positions`.
 template <class Cost>
 struct Piece {
   static constexpr std::size_t dimension = Cost::dimension;
   using State = typename Cost::State;
 
-  std::vector<Vector<dimension>> positions; ///< in the mesh's units; attributes of the cost behind
-  std::vector<std::array<Index, 3>> triangles; ///< of positions
-  std::vector<bool> is_shared = {};            ///< of each position; empty: none is
-  std::vector<bool> is_fixed = {};             ///< of each position that stays for another reason
-  /// Edges of one face between shared vertices that are borders of the whole surface.
+  std::vector<Vector<dimension>> positions; ///< in the mesh's units, followed by the attributes of
+                                            ///< the cost
+  std::vector<std::array<Index, 3>> triangles; ///< indices of positions
+  std::vector<bool> is_shared = {};            ///< for each position; if empty, none is
+  std::vector<bool> is_fixed = {};             ///< for each position, whether it stays for another
+                                               ///< reason
+  /// Edges of one face between shared vertices that are boundaries of the whole surface.
   std::vector<std::array<Index, 2>> borders = {};
-  /// Of the whole surface, or larger: it decides about the units, and the weights of attributes.
+  /// The box of the whole surface, or a larger one: it determines the units, and the weights of
+  /// attributes.
   Box<dimension> box = {};
-  /// What each position remembers, as PieceResult tells it, summed up over the pieces. Empty: all
-  /// states are made of the faces of this piece. Of a cost that remembers nothing: empty.
+  /// The state of each position, as PieceResult returns it, summed up over the chunks. If it is
+  /// empty, all states are made from the faces of this chunk. For a cost without states it is
+  /// empty.
   std::vector<State> states = {};
-  /// Of each position: is its state there? Empty: all are, if any is.
+  /// For each position, whether its state is given. If it is empty, all states are given, or none.
   std::vector<bool> has_state = {};
-  /// Of each triangle, as PieceResult tells it, where the stop policy asks for distances; empty:
-  /// all are of the input.
+  /// The bound of each triangle, as PieceResult returns it, if the stop policy requires distances;
+  /// if it is empty, all triangles are of the input.
   std::vector<FaceBound> bounds = {};
-  /// Of each position a distance in the mesh's units, where the stop policy asks for tolerances and
-  /// triangles have no bounds, which tell them: see ToleranceLimit.
+  /// For each position, a distance in the mesh's units, if the stop policy requires tolerances and
+  /// triangles have no bounds, which include them: see ToleranceLimit.
   std::vector<double> tolerances = {};
-  /// Of the triangles of the input of all pieces, in the mesh's units, where bounds tell
-  /// tolerances: it decides about Report::distance_bound and nothing else.
+  /// The greatest tolerance, in the mesh's units, of the triangles of the input of all chunks, if
+  /// bounds include tolerances: it affects Report::distance_bound and nothing else.
   double greatest_tolerance = 0;
-  /// Of each triangle, any numbers, of which the regions are kept as by `Labels`; empty: none.
+  /// Any number for each triangle; the regions of equal numbers are kept as by `Labels`. If it is
+  /// empty, there are none.
   std::vector<Index> labels = {};
 };
 
-/// A channel of a piece, of one value a vertex: see Attributes.
+/// A channel of a chunk, with one value per vertex: see Attributes.
 struct PieceChannel {
   std::size_t components = 0; ///< at least 1
-  std::vector<double> values; ///< of each position, one component after the other, finite
-  /// How it counts. `weights` are given, so that it counts alike in all pieces: by default they
-  /// depend on what values there are.
+  std::vector<double> values; ///< for each position, one component after another, finite
+  /// The weights of the channel. `weights` are given, so that the channel counts equally in all
+  /// chunks: the default weights depend on the values in the chunk.
   ChannelOptions options = {};
 };
 
-/// The channels of a piece, as an argument of simplify_piece(); for costs in space.
+/// The channels of a chunk, as an argument of simplify_piece(); for costs in space.
 struct PieceChannels {
   std::vector<PieceChannel> channels;
 
@@ -84,25 +89,29 @@ struct PieceChannels {
       channel.options.validate();
   }
 };
-/// What is left of a piece. Points and triangles keep their order.
+/// The simplified chunk. Points and triangles keep their order.
 template <class Cost>
 struct PieceResult {
-  std::vector<Vector<Cost::dimension>> positions; ///< in the mesh's units; those fixed bit by bit
-  std::vector<Index> vertices;                    ///< which vertex of the piece each of them was
-  std::vector<std::array<Index, 3>> triangles;    ///< of `positions`
-  std::vector<Index> faces;                       ///< which triangle of the piece each of them was
-  std::vector<FaceBound> bounds; ///< of `triangles`; empty if the stop policy asks for no distances
-  /// What each position remembers, in the engine's units, about the position. Of a shared vertex
-  /// that had been given a state: what has been added to that. So what a shared vertex remembers
-  /// then is what it was given, plus the sum over all pieces. Empty if the cost remembers nothing.
+  std::vector<Vector<Cost::dimension>> positions; ///< in the mesh's units; fixed ones keep their
+                                                  ///< bits
+  std::vector<Index> vertices;                    ///< the vertex of the chunk that each position
+                                                  ///< was
+  std::vector<std::array<Index, 3>> triangles;    ///< indices of `positions`
+  std::vector<Index> faces;                       ///< the triangle of the chunk that each triangle
+                                                  ///< was
+  std::vector<FaceBound> bounds; ///< of `triangles`; empty if the stop policy requires no distances
+  /// The state of each position, in the engine's units, relative to the position. For a shared
+  /// vertex that had been given a state, it is the amount that was added to that state. So the new
+  /// state of a shared vertex is the given state, plus the sum over all chunks. It is empty if the
+  /// cost has no states.
   std::vector<typename Cost::State> states;
-  /// Of each channel its values, by position; those of fixed vertices bit by bit.
+  /// The values of each channel, by position; fixed vertices keep the bits of their values.
   std::vector<std::vector<double>> channels;
   CostHistogram costs; ///< of the contractions, by keys in the engine's unit
-  Report report;       ///< of the piece
+  Report report;       ///< of the chunk
 };
 
-/// Reads a piece, and writes its result, in linear time.
+/// Reads a chunk, and writes its result, in linear time.
 template <class Cost, bool has_channels>
 class PieceAdapter {
 public:
@@ -110,14 +119,14 @@ public:
   using Input = InputOf<dimension, has_channels>;
   using State = typename Cost::State;
 
-  /// `given` are the states of the piece, `channels` are what it carries; null if it has none.
+  /// `given` are the states of the chunk, `channels` are its channels; null if it has none.
   PieceAdapter(Piece<Cost>& piece, const GivenStates<State>& given, const PieceChannels* channels,
                PieceResult<Cost>& result, Workspace& workspace)
       : workspace_(&workspace), piece_(piece), given_(given), channels_(channels), result_(result) {
   }
 
-  /// Throws std::invalid_argument as a soup does, and for lists of the wrong length. Most of it is
-  /// no longer in the piece then.
+  /// Throws std::invalid_argument as a soup does, and for lists of the wrong length. Most of the
+  /// data is no longer in the chunk then.
   Input read() {
     TriangleComplex::check_size(piece_.positions.size(), piece_.triangles.size());
     require_lengths();
@@ -195,7 +204,8 @@ private:
                                       std::to_string(v) + " of " + std::to_string(points));
   }
 
-  // As it was, bit by bit, if it has not moved: of attributes, weights would round the numbers.
+  // A position that has not moved keeps its bits: the weights of attributes would round the
+  // numbers.
   template <class Result>
   Vector<dimension> position(const Result& result, Index v, [[maybe_unused]] Index input) const {
     if constexpr (dimension > 3)
@@ -204,7 +214,7 @@ private:
     return result.position(v);
   }
 
-  // A file of floats has no others.
+  // The numbers of a file of floats are all floats.
   static bool are_floats(const SurfaceInput<dimension>& input) {
     const auto is_float = [](double x) { return static_cast<double>(to_number<float>(x)) == x; };
     return std::all_of(input.positions.begin(), input.positions.end(), [&](const auto& p) {
@@ -227,7 +237,7 @@ private:
     }
   }
 
-  // A value that no contraction has changed is that of a vertex of the input.
+  // A value that no contraction has changed is the value of an input vertex.
   template <class Result>
   void write_channels(const Result& result, const Array<Index>& vertices) {
     for (std::size_t c = 0; c < channels_->channels.size(); ++c) {

@@ -17,9 +17,10 @@
 
 namespace quadrille::internal {
 
-/// Which vertices of a part are at an edge of one face, of the whole surface: see TrueBorders.
+/// Returns which vertices of a chunk are at an edge that has one face in the whole surface: see
+/// TrueBorders.
 inline std::vector<bool> boundary_vertices(const LoadedPart& part) {
-  std::vector<std::array<Index, 2>> edges; // those that no other part has
+  std::vector<std::array<Index, 2>> edges; // edges that no other chunk has
   edges.reserve(3 * part.triangles.size());
   for (const std::array<Index, 3>& t : part.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -43,7 +44,7 @@ inline std::vector<bool> boundary_vertices(const LoadedPart& part) {
   return result;
 }
 
-/// Between parts as files have them and pieces as the engine has them.
+/// Converts between chunks as files have them and chunks as the engine has them.
 template <class Cost>
 struct PieceOfPart {
   using State = typename Cost::State;
@@ -56,7 +57,7 @@ struct PieceOfPart {
                 "quadrille: each chunk of a file numbers its vertices again: a cost that asks for "
                 "indices in the input is for surfaces in memory");
 
-  /// The box of the surface, and room for vertices that move out of it.
+  /// Returns the box of the surface, with room for vertices that move out of it.
   static Box<3> box(const FileBox& box) {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -88,7 +89,7 @@ struct PieceOfPart {
     return piece;
   }
 
-  /// By the numbers of the input. `given` are states of the part, if it had any.
+  /// Uses the numbers of the input. `given` are states of the chunk, if it had any.
   static Survivors survivors(PieceResult<Cost>& result, const std::vector<VertexId>& ids,
                              const std::vector<bool>& is_shared, const std::vector<char>& given,
                              const std::vector<std::uint32_t>& labels) {

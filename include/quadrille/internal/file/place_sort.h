@@ -20,10 +20,10 @@
 
 namespace quadrille::internal {
 
-/// Sorts places with their numbers by an external merge sort (Knuth, The Art of Computer
-/// Programming, volume 3, section 5.4), in runs that fit into memory and go to files of a folder:
-/// so those at exactly the same place come one after the other, in the order of their numbers.
-/// Number is float or double.
+/// Sorts positions with their numbers by an external merge sort (Knuth, The Art of Computer
+/// Programming, volume 3, section 5.4), in runs that fit into memory and are written to files in a
+/// folder: so vertices at exactly the same position follow one another, in the order of their
+/// numbers. Number is float or double.
 template <class Number>
 class PlaceSort {
   using Bits = std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>;
@@ -42,7 +42,7 @@ public:
     }
   };
 
-  /// For so many items, in `memory` bytes.
+  /// Sorts that many items, in `memory` bytes.
   PlaceSort(std::filesystem::path folder, std::uint64_t memory, std::uint64_t items)
       : folder_(std::move(folder)), memory_(memory),
         most_(static_cast<std::size_t>(
@@ -50,7 +50,7 @@ public:
     run_.reserve(static_cast<std::size_t>((std::min<std::uint64_t>)(most_, items)));
   }
 
-  /// Coordinates are finite; -0 is 0.
+  /// Coordinates must be finite; -0 becomes 0.
   void add(const std::array<Number, 3>& position, std::uint64_t number) {
     if (run_.size() == most_)
       write_run();
@@ -61,14 +61,14 @@ public:
     }
     run_.push_back(item);
   }
-  /// After the last one.
+  /// Must be called after the last item.
   void end() {
     write_run();
     run_ = {};
   }
 
-  /// Calls take(item, is_new) for each, where is_new tells that it lies elsewhere than the one
-  /// before. The files are gone then.
+  /// Calls take(item, is_new) for each item; is_new says whether its position differs from the
+  /// previous one. It removes the files.
   template <class Take>
   void for_sorted(Take take) {
     std::vector<std::unique_ptr<Run>> runs;
@@ -126,7 +126,7 @@ private:
   }
 
   static constexpr Bits sign = Bits{1} << (8 * sizeof(Bits) - 1);
-  static constexpr std::uint64_t most_sorted = 9'000'000; // which takes about a second
+  static constexpr std::uint64_t most_sorted = 9'000'000; // sorting these takes about a second
 
   std::filesystem::path folder_;
   std::uint64_t memory_;

@@ -20,13 +20,13 @@
 
 namespace quadrille::internal {
 
-/// Makes binary PLY of triangles, in the order of the file, of one that is text, or has polygons,
-/// or lists where they are in the way. It reads the file twice; quadrilaterals and larger polygons
-/// also take some of the vertices that have been written. Faces with fewer than three different
+/// Converts a PLY file that is text, has polygons, or has lists in unsuitable places to binary PLY
+/// of triangles, in the order of the file. It reads the file twice; for quadrilaterals and larger
+/// polygons it also reads some of the written vertices. Faces with fewer than three different
 /// corners are left out, as in memory.
 class PlyConversion {
 public:
-  /// `ask()` is called at least once a second or so, and may throw.
+  /// `ask()` is called about once a second or more often, and may throw.
   template <class Ask>
   static void run(const PlyInput& input, const std::filesystem::path& output, std::uint64_t memory,
                   const Ask& ask) {
@@ -38,7 +38,7 @@ public:
     file.finish();
   }
 
-  /// How many triangles there will be, about, from some of the first faces.
+  /// Estimates the number of triangles from some of the first faces.
   static std::uint64_t triangles(const PlyInput& input) {
     constexpr std::uint64_t looked_at = 1000;
     std::uint64_t faces = 0, triangles = 0;
@@ -73,7 +73,7 @@ private:
 
   static PlyRows rows(const PlyInput& input) { return {input.file(), input.header()}; }
 
-  // Of the same length for any number of faces, which is not known before the end.
+  // The header has the same length for any number of faces, which is not known before the end.
   std::string header() const {
     constexpr std::uint64_t any = 999'999'999'999;
     std::string text =
@@ -126,7 +126,7 @@ private:
     file_.write_at_begin(text.data(), text.size());
   }
 
-  // Without those that are the same as the one before.
+  // Takes the corners without those that repeat the one before.
   template <class Fail>
   void take_corners(const std::vector<double>& list, const Fail& fail) {
     corners_.clear();
@@ -155,7 +155,7 @@ private:
     }
   }
 
-  // Items between two calls of `ask`.
+  // The number of items between two calls of `ask`.
   static constexpr std::uint64_t often = 1 << 16;
 
   const PlyInput& input_;
@@ -167,7 +167,7 @@ private:
   std::vector<std::size_t> row_places_, label_places_;
   std::unique_ptr<WrittenVertices> written_;
   std::vector<VertexId> corners_; // of a polygon
-  std::vector<Vector<3>> places_; // of these
+  std::vector<Vector<3>> places_; // of these corners
 };
 
 } // namespace quadrille::internal

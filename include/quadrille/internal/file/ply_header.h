@@ -23,7 +23,7 @@ namespace quadrille::internal {
 
 /// A type of numbers in a PLY file.
 struct PlyType {
-  std::size_t size = 0; ///< in bytes: 1, 2 or 4 of integers, 4 or 8 of others
+  std::size_t size = 0; ///< in bytes: 1, 2 or 4 for integers, 4 or 8 for others
   bool is_integer = true, is_signed = true;
 
   friend bool operator==(const PlyType&, const PlyType&) = default;
@@ -54,7 +54,7 @@ struct PlyType {
   }
 };
 
-/// The number at `bytes`, in which every number of every type fits.
+/// Returns the number at `bytes` as a double, which represents every number of every type exactly.
 template <bool is_swapped>
 double ply_number(const PlyType& type, const char* bytes) {
   std::array<char, 8> raw{};
@@ -90,14 +90,14 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// The place of the first property that has one of the names.
+  /// Returns the index of the first property that has one of the names.
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const {
     for (std::size_t i = 0; i < properties.size(); ++i)
       if (std::find(names.begin(), names.end(), properties[i].name) != names.end())
         return i;
     return std::nullopt;
   }
-  /// Of an item, in bytes; nothing if there are lists.
+  /// The size of an item in bytes; nothing if there are lists.
   std::optional<std::size_t> row_size() const {
     std::size_t size = 0;
     for (const PlyProperty& p : properties) {
@@ -109,12 +109,14 @@ struct PlyElement {
   }
 };
 
-/// What was done while a surface was made of files that were something else, as a comment of the
-/// file that has been made tells.
+/// Counts of the changes when a surface was made from files of another kind. A comment of the file
+/// that has been made contains them.
 struct MadeCounts {
-  std::uint64_t welded = 0;      ///< vertices that have become one with another at the same place
+  std::uint64_t welded = 0;      ///< vertices that were merged with another one at the same
+                                 ///< position
   std::uint64_t fans = 0;        ///< polygons that were flat or crossed themselves
-  std::uint64_t short_faces = 0; ///< left out for having fewer than three different corners
+  std::uint64_t short_faces = 0; ///< faces left out because they have fewer than three different
+                                 ///< corners
 
   static constexpr std::string_view keyword = "quadrille_made";
 
@@ -123,7 +125,7 @@ struct MadeCounts {
     return *this;
   }
 
-  /// As the comments of a header tell.
+  /// Reads the counts from the comments of a header.
   static MadeCounts of(const std::vector<std::string>& comments) {
     MadeCounts made;
     for (const std::string& comment : comments) {
@@ -134,7 +136,7 @@ struct MadeCounts {
     }
     return made;
   }
-  /// A line of a header, of the same length whatever there is.
+  /// Returns a line of a header, which has the same length for all counts.
   std::string comment() const {
     std::ostringstream text;
     text << "comment " << keyword << std::setfill('0');
@@ -144,7 +146,7 @@ struct MadeCounts {
   }
 };
 
-/// What the header of a PLY file tells: which elements follow, with which properties.
+/// The header of a PLY file: which elements follow, with which properties.
 struct PlyHeader {
   bool is_text = false;
   std::endian byte_order = std::endian::little;
@@ -153,7 +155,7 @@ struct PlyHeader {
 
   bool is_swapped() const { return byte_order != std::endian::native; }
 
-  /// Comments that name a texture, in the manner of "comment TextureFile a.png".
+  /// The comments that name a texture, such as "comment TextureFile a.png".
   std::vector<std::string> texture_comments() const {
     std::vector<std::string> found;
     std::copy_if(comments.begin(), comments.end(), std::back_inserter(found), names_a_texture);
@@ -185,7 +187,8 @@ public:
   }
 
 private:
-  /// Beyond what any program writes, lest a file of nothing but names take forever.
+  /// The limit is above what any program writes, so that a file of nothing but names does not take
+  /// forever.
   static constexpr std::size_t most_names = 1000;
 
   explicit PlyHeaderReader(LineReader& lines) : lines_(lines) {}
@@ -203,7 +206,7 @@ private:
       lines_.fail("unknown format " + in_quotes(format));
   }
 
-  /// False after the last line.
+  /// Returns false after the last line.
   bool read_line() {
     if (!lines_.next_line())
       lines_.fail("the file ends inside the header");

@@ -25,31 +25,31 @@
 
 namespace quadrille::internal {
 
-/// What is read of a file beside positions, corners and labels.
+/// Which scalars of a file are read in addition to positions, corners and labels.
 struct ScalarChoice {
   bool positions_only = false; ///< no numbers of vertices,
-  std::string tolerance = {};  ///< but for the scalar of this name
+  std::string tolerance = {};  ///< except the scalar of this name
 };
 
-/// A PLY file whose vertices and faces are read one after the other, as often as is wanted, if it
-/// is binary and of triangles. It is never in memory as a whole.
+/// A PLY file whose vertices and faces are read one after another, as often as needed, if it is
+/// binary and has triangles only. It is never in memory as a whole.
 ///
-/// Beside positions and corners it has scalars of vertices, labels of faces, and whatever is told
-/// by dropped(), which scalars are too if only positions are to be read. Functions throw
-/// std::runtime_error with the file's name and the number of the item.
+/// In addition to positions and corners it has scalars of vertices, labels of faces, and other
+/// data, which dropped() lists; scalars are among these if only positions are to be read. Functions
+/// throw std::runtime_error with the file's name and the number of the item.
 class PlyInput {
 public:
   explicit PlyInput(const std::filesystem::path& path, const ScalarChoice& choice = {})
       : PlyInput(InputFile(path), choice) {}
-  /// One that was made of another one, by whose name the user knows it. `is_welded`: of a soup,
-  /// whose corners at one place are one vertex.
+  /// Opens a file that was made from another one, by whose name the user knows it. `is_welded` says
+  /// that it was made from a soup, whose corners at one position are one vertex.
   static std::unique_ptr<PlyInput> made(const std::filesystem::path& path,
                                         const std::filesystem::path& from, bool is_welded) {
     std::unique_ptr<PlyInput> input(new PlyInput(InputFile(path, from), {}));
     input->is_welded_ = is_welded;
     return input;
   }
-  /// From here on labels are read over, and vertices that no other face has are no fault.
+  /// From now on labels are skipped, and vertices that no other face has are accepted.
   void read_shape_only() {
     labels_.clear();
     is_welded_ = true;
@@ -59,24 +59,24 @@ public:
 
   const InputFile& file() const { return file_; }
   bool is_welded() const { return is_welded_; }
-  /// Can for_vertices() and for_faces() read it? Else it is text, or has faces that are no
-  /// triangles, or lists before what is to be read: see PlyConversion.
+  /// Can for_vertices() and for_faces() read it? Otherwise it is text, or has faces that are not
+  /// triangles, or lists before the data to be read: see PlyConversion.
   bool is_ready() const { return is_placed_ && has_triangles_only(); }
   const PlyFileHeader& header() const { return header_; }
   const PlyElement& vertex_element() const { return *vertices_; }
   const PlyElement& face_element() const { return *faces_; }
-  std::size_t corners_property() const { return corners_; } ///< its place in the element
+  std::size_t corners_property() const { return corners_; } ///< its index in the element
   std::uint64_t vertices() const { return vertices_->count; }
   std::uint64_t faces() const { return faces_->count; }
   bool has_doubles() const { return coordinates_[0].type.size == 8; }
-  /// Numbers of vertices beside their places.
+  /// The numbers of vertices in addition to their positions.
   const VertexScalars& scalars() const { return scalars_; }
-  /// Integers of faces, which are their labels; not the flags of MeshLab's.
+  /// The integers of faces, which are their labels, except the flags of MeshLab.
   const std::vector<PlyProperty>& labels() const { return labels_; }
-  /// Properties and elements that are read over.
+  /// The properties and elements that are skipped.
   const std::vector<std::string>& dropped() const { return dropped_; }
 
-  /// Is a property of faces a part of their colour?
+  /// Is a property of faces a component of their colour?
   static bool is_color(std::string_view name) {
     return name == "red" || name == "green" || name == "blue" || name == "alpha";
   }
@@ -106,7 +106,7 @@ private:
     std::size_t offset = 0; // in the row
   };
 
-  // Where they begin, if what stands before them tells that.
+  // Determines where vertices and faces begin, if the data before them determines that.
   void place_elements() {
     std::optional<std::uint64_t> offset = header_.size;
     if (header_.is_text)
@@ -137,7 +137,8 @@ private:
       require_size();
   }
 
-  // Of a face, if corners are all the lists that it has: with other than three it will be refused.
+  // The size of a face if its corners are its only list; a face without exactly three corners is
+  // rejected later.
   static std::optional<std::size_t> triangle_size(const PlyElement& faces) {
     std::size_t size = 0;
     for (const PlyProperty& p : faces.properties)
@@ -150,7 +151,7 @@ private:
     return size;
   }
 
-  // Of the file, if all faces are triangles, as far as that is known.
+  // The size of the file if all faces are triangles, as far as it is known.
   std::optional<std::uint64_t> size_with_triangles() const {
     std::uint64_t size = header_.size;
     for (const PlyElement& element : header_.elements) {
@@ -162,8 +163,8 @@ private:
     return size;
   }
 
-  // Mostly the size of the file tells. Else faces are read up to the first one that is another;
-  // what is wrong with it is told later.
+  // The size of the file usually decides. Otherwise faces are read up to the first that is not a
+  // triangle; its faults are reported later.
   bool has_triangles_only() const {
     if (size_with_triangles() == file_.size())
       return true;
@@ -182,7 +183,7 @@ private:
     return (p.name == "vertex_indices" || p.name == "vertex_index") && p.is_list();
   }
 
-  // What is missing for certain is told at once and not after hours.
+  // Data that is certainly missing is reported at once, not after hours.
   void require_size() const {
     const std::uint64_t vertices_end = vertices_begin_ + vertices_->count * *vertices_->row_size();
     const std::uint64_t least = (std::max)(vertices_end, faces_begin_ + faces_->count);
@@ -255,7 +256,7 @@ private:
                        [&](const PlyProperty& label) { return label.name == p.name; });
   }
 
-  // What stands behind faces and vertices is read over, and then the file is at its end.
+  // Data after the faces and vertices is skipped, and then the file must be at its end.
   template <bool is_swapped>
   void require_end(ByteStream& stream) const {
     if (vertices_ < faces_)
@@ -381,14 +382,14 @@ private:
 
   InputFile file_;
   PlyFileHeader header_;
-  const PlyElement* vertices_ = nullptr; // of header_
+  const PlyElement* vertices_ = nullptr; // points into header_
   const PlyElement* faces_ = nullptr;
   std::uint64_t vertices_begin_ = 0, faces_begin_ = 0;
   std::array<Placed, 3> coordinates_;
   VertexScalars scalars_;
   std::vector<Placed> scalar_places_;
   bool is_placed_ = true;   // is it known where both begin?
-  std::size_t corners_ = 0; // the place of the property
+  std::size_t corners_ = 0; // the index of the property
   std::vector<PlyProperty> labels_;
   std::vector<std::string> dropped_;
   bool is_welded_ = false;

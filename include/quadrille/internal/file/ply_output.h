@@ -14,7 +14,7 @@
 
 namespace quadrille::internal {
 
-/// Bytes on the way to a file, little-endian.
+/// A buffer of bytes to be written to a file, little-endian.
 class PlyBytes {
 public:
   explicit PlyBytes(WholeFile& file) : file_(file) {}
@@ -28,7 +28,7 @@ public:
     if (buffer_.size() >= (1 << 20))
       flush();
   }
-  /// A number as a property of that type.
+  /// Adds a number as a property of that type.
   void put_as(const PlyType& type, double value) {
     if (type.is_integer)
       put_integer(type, std::llround(value));
@@ -67,8 +67,8 @@ inline std::string ply_properties(const std::vector<PlyProperty>& list) {
   return text;
 }
 
-/// What a file begins with of positions and triangles, and of these properties beside, with whole
-/// lines of comments.
+/// Returns the beginning of a file of positions and triangles, with these additional properties and
+/// with whole lines of comments.
 inline std::string ply_header(std::uint64_t vertices, bool has_doubles,
                               const std::vector<PlyProperty>& of_vertices, std::uint64_t faces,
                               const std::vector<PlyProperty>& of_faces,

@@ -18,7 +18,7 @@
 
 namespace quadrille::internal {
 
-/// The header of a PLY file on the disk, and where its values begin.
+/// The header of a PLY file on the disk, and the offset at which its values begin.
 struct PlyFileHeader : PlyHeader {
   explicit PlyFileHeader(const InputFile& file) {
     Source source{file.path(), std::string(most_bytes, '\0')};
@@ -37,7 +37,7 @@ private:
   static constexpr std::size_t most_bytes = std::size_t{1} << 20;
 };
 
-/// Values of a PLY file as text, an item on each line. Messages name the line.
+/// The values of a text PLY file, one item per line. Messages name the line.
 class PlyTextValues {
 public:
   PlyTextValues(const InputFile& file, const PlyFileHeader& header)
@@ -81,7 +81,7 @@ private:
                           : value >= 0 && value < values;
   }
 
-  // The next one with something in it; false if there is none.
+  // Steps to the next line that is not empty; false if there is none.
   bool next_line() {
     do {
       if (!read_line())
@@ -125,10 +125,10 @@ private:
   std::uint64_t offset_, line_number_;
   std::string text_;
   std::size_t begin_ = 0; // of the next line
-  std::string_view line_; // what is left of the present one
+  std::string_view line_; // the rest of the present one
 };
 
-/// The same as bytes. Messages name the item.
+/// The values of a binary PLY file. Messages name the item.
 template <bool is_swapped>
 class PlyBinaryValues {
 public:
@@ -177,17 +177,18 @@ private:
   std::uint64_t item_ = 0;
 };
 
-/// The items of an element of a PLY file, text or bytes, one after the other, whatever lists they
+/// The items of an element of a PLY file, text or binary, one after another, whatever lists they
 /// and others have.
 class PlyRows {
 public:
-  /// Of each property the values: one, or those of a list.
+  /// The values of each property: one value, or the values of a list.
   using Row = std::vector<std::vector<double>>;
 
   PlyRows(const InputFile& file, const PlyFileHeader& header) : file_(file), header_(header) {}
 
-  /// Calls take(number, row, fail) for each item, where fail(text) throws std::runtime_error with
-  /// the place. It ends when that returns false; else the file has to be at its end then.
+  /// Calls take(number, row, fail) for each item; fail(text) throws std::runtime_error with the
+  /// position in the file. It ends when take returns false; otherwise the file must be at its end
+  /// after the last item.
   template <class Take>
   void for_items(const PlyElement& wanted, Take take) const {
     if (header_.is_text)

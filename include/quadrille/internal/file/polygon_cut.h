@@ -15,15 +15,17 @@
 namespace quadrille::internal {
 
 /// Cuts a polygon, convex or not, into triangles, as readers of files in memory do: a quadrilateral
-/// along the diagonal that folds it less, a larger one by the constrained Delaunay triangulation in
-/// the coordinate plane that it faces most. That is found by cutting off ears (Meisters 1975), and
-/// turning over diagonals while their circles are not empty (Lawson 1977). One that crosses itself
-/// or is flat becomes a fan. In O(n³) at the worst, about O(n²).
+/// along the diagonal that folds it less, a larger polygon by the constrained Delaunay
+/// triangulation in the coordinate plane that it faces most. That triangulation is found by ear
+/// clipping (Meisters 1975) and by flipping diagonals while their circles are not empty (Lawson
+/// 1977). A polygon that crosses itself or is flat becomes a fan. It takes O(n³) at worst, and
+/// usually about O(n²).
 class PolygonCut {
 public:
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-  /// Of the numbers of its corners, three or more. `fans` counts those that become one.
+  /// The result uses the numbers of the polygon's corners; there are three or more. `fans` counts
+  /// the polygons that become a fan.
   static Triangles triangles(const std::vector<Vector<3>>& corners, std::uint64_t* fans = nullptr) {
     const auto count = static_cast<std::uint32_t>(corners.size());
     if (count == 3)
@@ -47,8 +49,8 @@ public:
 private:
   using Point = std::array<double, 2>;
 
-  // Moved to the origin and scaled by a power of two to a size of about one, so that no area over-
-  // or underflows.
+  // The polygon is moved to the origin and scaled by a power of two to a size of about one, so that
+  // no area overflows or underflows.
   explicit PolygonCut(const std::vector<Vector<3>>& corners) {
     double size = 0;
     for (const Vector<3>& p : corners)
@@ -62,8 +64,8 @@ private:
     }
   }
 
-  // The product of the normals is the larger, the flatter the pair of triangles and the better
-  // their shapes; it is negative for the diagonal outside of one that is not convex.
+  // The product of the normals is larger for a flatter pair of triangles with better shapes; it is
+  // negative for the diagonal outside a non-convex quadrilateral.
   Triangles quadrilateral() const {
     const auto normal = [&](std::size_t a, std::size_t b, std::size_t c) {
       return cross(outline_[b] - outline_[a], outline_[c] - outline_[a]);
@@ -73,7 +75,8 @@ private:
     return {{1, 2, 3}, {1, 3, 0}};
   }
 
-  // Along the axis that is closest to Newell's normal, and so that it runs counter-clockwise.
+  // Projects along the axis that is closest to Newell's normal, in the direction that makes the
+  // polygon run counter-clockwise.
   void project() {
     Vector<3> normal{};
     for (std::size_t i = 0; i < outline_.size(); ++i)
@@ -86,13 +89,13 @@ private:
       points_.push_back({p[(along + turn) % 3], p[(along + 2 * turn) % 3]});
   }
 
-  // Twice the area, positive if they run counter-clockwise.
+  // Twice the area, positive if the corners run counter-clockwise.
   double area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Point &p = points_[a], &q = points_[b], &r = points_[c];
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
 
-  // False if there is no ear left, as of a polygon that crosses itself.
+  // Returns false if no ear is left, as for a polygon that crosses itself.
   bool cut_ears() {
     std::vector<std::uint32_t> left(points_.size());
     for (std::uint32_t i = 0; i < left.size(); ++i)
@@ -125,7 +128,7 @@ private:
     return left.size();
   }
 
-  // Is d within the circle of a, b and c, by more than a rounding?
+  // Is d within the circle of a, b and c, by more than a rounding error?
   bool is_in_circle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     const auto row = [&](std::uint32_t v) {
       const double x = points_[v][0] - points_[d][0], y = points_[v][1] - points_[d][1];
@@ -134,7 +137,7 @@ private:
     return dot(row(a), cross(row(b), row(c))) > 1e-12;
   }
 
-  // Pairs of triangles over an edge, until none is turned over any more.
+  // Flips the edge of pairs of triangles until none is flipped any more.
   void turn_diagonals() {
     bool has_turned = true;
     for (std::size_t round = 0; has_turned && round < 2 * points_.size(); ++round) {

@@ -11,18 +11,18 @@
 
 namespace quadrille::internal {
 
-/// Rows of a file, all of the same size, by their numbers, in any order: blocks of them stay in
-/// memory until another one takes their place. Neighbours have mostly close numbers.
+/// Gives access to rows of a file, all of the same size, by their numbers, in any order: blocks of
+/// rows stay in memory until another block takes their place. Neighbours mostly have close numbers.
 class RowBlocks {
 public:
-  /// The first one begins at that byte.
+  /// The first row begins at that byte.
   RowBlocks(const std::filesystem::path& path, std::uint64_t begin, std::size_t row_size,
             std::uint64_t memory)
       : file_(path), begin_(begin), row_size_(row_size),
         blocks_(static_cast<std::size_t>(
             std::clamp<std::uint64_t>(memory / (rows_of_block * row_size), 16, 1 << 20))) {}
 
-  /// Its bytes, until the next call.
+  /// Returns the bytes of a row, which stay valid until the next call.
   const char* row(std::uint64_t number) {
     Block& block = blocks_[number / rows_of_block % blocks_.size()];
     if (block.number != number / rows_of_block || block.bytes.empty())
@@ -37,7 +37,7 @@ private:
     std::vector<char> bytes;
   };
 
-  // The last one is shorter.
+  // The last block is shorter.
   void load(Block& block, std::uint64_t number) const {
     block.number = number;
     block.bytes.resize(rows_of_block * row_size_);

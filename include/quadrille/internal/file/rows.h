@@ -13,10 +13,10 @@ namespace quadrille::internal {
 using VertexId = std::uint32_t;
 inline constexpr std::uint64_t most_vertex_ids = 0xFFFFFFFFU;
 
-/// A vertex as files of the scratch folder have it; its scalars, and what it remembers, are behind.
+/// A vertex as files of the scratch folder store it; its scalars and its state follow.
 struct VertexRow {
   VertexId id;
-  std::uint32_t is_shared; ///< 1 if another part has the vertex, too; else 0
+  std::uint32_t is_shared; ///< 1 if another chunk has the vertex, too; else 0
   Vector<3> position;      ///< in the input's units
 };
 static_assert(sizeof(VertexRow) == 32 && std::is_trivially_copyable_v<VertexRow>);

@@ -16,17 +16,17 @@
 
 namespace quadrille::internal {
 
-/// What a connected piece of a part tells of its costs.
+/// The costs in a connected region of a chunk.
 struct CostSample {
   double free_faces = 0; ///< see SampleCounts
   CostHistogram costs;
 };
 
-/// The samples of a part as a file, which is there as a whole or not at all, so that any process
-/// may take them.
+/// The samples of a chunk as a file, which exists completely or not at all, so that any process may
+/// take them.
 class SampleFile {
 public:
-  /// `key` is that of the job.
+  /// `key` is the key of the job.
   static void write(const std::filesystem::path& path, std::uint64_t key,
                     const std::vector<CostSample>& samples) {
     std::vector<Row> rows(samples.size());
@@ -42,7 +42,7 @@ public:
     file.finish();
   }
 
-  /// Nothing if they have not been taken, or are not those of this job.
+  /// Returns nothing if they have not been taken, or do not belong to this job.
   static std::optional<std::vector<CostSample>> read(const std::filesystem::path& path,
                                                      std::uint64_t key) {
     std::error_code ignored;

@@ -10,15 +10,15 @@
 
 namespace quadrille::internal {
 
-/// How many faces each phase aims at, and at what fraction its parts are cut.
+/// The number of faces that each phase aims at, and the fraction at which its chunks are cut.
 ///
-/// Vertices that parts share stay for a phase. A part of V vertices that keeps r of them has about
-/// 2 / (r √V) of those among what is left, since a compact patch has 4 √V around it; so no phase
-/// keeps less than 40 / √V, with 5 % of them. It ends with four and two times the target, then
-/// the whole; without four times where that would be more than a fifth of the input and parts are
-/// large enough. Where the whole does not fit into memory, it aims a little above the target, as
-/// samples do not tell it exactly, and the few faces that are too many then are shared out among
-/// all parts.
+/// Vertices that chunks share stay for a phase. A chunk of V vertices that keeps a fraction r of
+/// them has about 2 / (r √V) shared vertices among the remaining ones, since a compact patch has 4
+/// √V around it; so no phase keeps less than 40 / √V, and 5 % of the vertices are shared then. The
+/// schedule ends with four times and two times the target, then the whole surface; it omits four
+/// times the target if that would be more than a fifth of the input and chunks are large enough. If
+/// the whole does not fit into memory, it aims a little above the target, because samples do not
+/// determine the limit exactly, and all chunks share the few faces that are too many then.
 class Schedule {
 public:
   Schedule(std::uint64_t faces, std::uint64_t target, std::uint64_t part_vertices) {
@@ -35,15 +35,15 @@ public:
       add(2 * n);
   }
 
-  /// What phases come before the target itself.
+  /// The number of phases before the target itself.
   std::size_t size() const { return wanted_.size(); }
-  /// At phase `step`, from 0 on; from size() on it is the target.
+  /// Returns the aim of phase `step`, from 0 on; from size() on it is the target.
   std::uint64_t wanted(std::size_t step, std::uint64_t target) const {
     return step < wanted_.size() ? wanted_[step] : target + target / 25;
   }
-  /// Where the whole does not fit into memory: is it close enough after phase `step`, which has
-  /// begun with `before` faces and has left `after`? It is aimed at up to four times, as long as
-  /// that takes more than two in a hundred.
+  /// If the whole does not fit into memory: is it close enough after phase `step`, which began with
+  /// `before` faces and left `after`? The phase is repeated up to four times, as long as each
+  /// removes more than two in a hundred faces.
   bool is_enough(std::size_t step, std::uint64_t before, std::uint64_t after,
                  std::uint64_t target) const {
     if (step < wanted_.size())
@@ -51,23 +51,23 @@ public:
     const std::size_t times = step - wanted_.size() + 1;
     return after <= target + target / 12 || times >= 4 || (times >= 2 && is_still(before, after));
   }
-  /// Where distances are limited: does that hold the surface, so that a phase has left much more
-  /// than it had aimed at?
+  /// If distances are limited: does the limit stop the simplification, so that a phase has left
+  /// many more faces than it aimed at?
   static bool is_held(std::uint64_t after, std::uint64_t wanted) {
     return after > wanted + wanted / 4;
   }
-  /// Has a phase taken nearly nothing?
+  /// Has a phase removed almost nothing?
   static bool is_still(std::uint64_t before, std::uint64_t after) {
     return after > before - before / 50;
   }
-  /// Are there some faces too many, and not so many that parts which can't give theirs would be
-  /// destroyed by a count?
+  /// Are there some faces too many, but so few that a count would not destroy chunks that cannot
+  /// give their share?
   static bool can_share(std::uint64_t faces, std::uint64_t target) {
     return faces > target && faces <= target + target / 4;
   }
-  /// How many of the faces that are too many a part gives which has those from `begin` to `end` of
-  /// all faces: in proportion, and an even number, since inside of a surface a contraction takes
-  /// two; what is odd the last part gives.
+  /// Returns how many of the excess faces a chunk contributes that has the faces from `begin` to
+  /// `end` of all: a proportional share, and an even number, since inside a surface a contraction
+  /// takes two; the last chunk gives an odd rest.
   static std::uint64_t share(std::uint64_t too_many, std::uint64_t begin, std::uint64_t end,
                              std::uint64_t all) {
     const auto given_before = [&](std::uint64_t faces) {
@@ -79,7 +79,7 @@ public:
     return given_before(end) - given_before(begin);
   }
 
-  /// Where the parts of phase k, from 1 on, are cut.
+  /// The fraction at which the chunks of phase k, from 1 on, are cut.
   static double fraction(unsigned k) {
     constexpr std::array fractions{0.5, 0.36, 0.62, 0.44, 0.56, 0.4};
     return fractions[(k - 1) % fractions.size()];
@@ -88,7 +88,8 @@ public:
 private:
   void add(double count) { wanted_.push_back(static_cast<std::uint64_t>(count)); }
 
-  // Of the input. Four times the target would lie on the disk twice when parts are made anew.
+  // A fraction of the input. Four times the target would be on the disk twice when chunks are made
+  // again.
   static constexpr double most_left = 0.2;
 
   std::vector<std::uint64_t> wanted_;

@@ -25,9 +25,10 @@
 
 namespace quadrille::internal {
 
-/// What is left of the parts of a phase becomes one surface. All parts agree on the numbers and on
-/// the places of their vertices, so nothing has to be matched. Vertices are in the order of the
-/// input, faces in that of the parts. Memory: a bit and an eighth for each vertex of the input.
+/// Merges the remaining chunks of a phase into one surface. All chunks agree on the numbers and on
+/// the positions of their vertices, so nothing has to be matched. Vertices are in the order of the
+/// input, faces in the order of the chunks. Memory: a bit and an eighth for each vertex of the
+/// input.
 class Sewing {
 public:
   Sewing(const JobFolder& folder, const PhasePlan& plan, const VertexScalars& scalars,
@@ -44,7 +45,7 @@ public:
   std::uint64_t vertices() const { return ranks_.size(); }
   std::uint64_t faces() const { return faces_; }
 
-  /// Returns how many bytes were written.
+  /// Returns the number of written bytes.
   std::uint64_t write(const std::filesystem::path& path, bool has_doubles) const {
     WholeFile file(path);
     PlyBytes bytes(file);
@@ -60,7 +61,7 @@ public:
   }
 
 private:
-  // Files of some parts are read at once, so a piece of each.
+  // The files of some chunks are read at the same time, so a block of each is in memory.
   static constexpr std::size_t block = 1 << 16;
 
   IdSet find_ids(std::uint64_t ids) const {
@@ -79,7 +80,7 @@ private:
                       comments);
   }
 
-  // The vertices of a part, one after the other.
+  // The vertices of a chunk, one after another.
   struct Reader {
     Reader(const std::filesystem::path& path, const SurvivorsHeader& header)
         : file(path), stream(file, sizeof(SurvivorsHeader), block),
@@ -108,7 +109,7 @@ private:
     std::vector<double> scalars;
   };
 
-  // Merges the parts by the numbers of vertices, of which each part has some in ascending order.
+  // Merges the chunks by the numbers of vertices; each chunk has its vertices in ascending order.
   template <class Number>
   void put_vertices(PlyBytes& bytes) const {
     std::vector<std::unique_ptr<Reader>> readers;

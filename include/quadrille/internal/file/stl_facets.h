@@ -9,19 +9,19 @@
 #include <string_view>
 
 /// \file
-/// How a binary STL file is laid out. It gives every facet points of its own.
+/// The layout of a binary STL file. It gives every facet points of its own.
 
 namespace quadrille::internal {
 
-inline constexpr std::size_t stl_header_size = 84; ///< 80 bytes of anything and the facet count
+inline constexpr std::size_t stl_header_size = 84; ///< 80 arbitrary bytes and the facet count
 inline constexpr std::size_t stl_facet_size = 50;  ///< a normal, three points and an attribute
 
-/// Of the header.
+/// Reads the number of facets from the header.
 inline std::uint64_t stl_facet_count(std::string_view header) {
   return little_endian_at<std::uint32_t>(header, stl_header_size - 4);
 }
 
-/// A facet, without its normal, which follows from its points.
+/// A facet without its normal, which follows from its points.
 struct StlFacet {
   explicit StlFacet(std::string_view bytes)
       : attribute(little_endian_at<std::uint16_t>(bytes, stl_facet_size - 2)) {
@@ -34,9 +34,9 @@ struct StlFacet {
   std::uint16_t attribute;
 };
 
-/// Has a facet a colour of its own, with five bits for each component? Where the header names a
-/// colour of all facets, as of Magics, each attribute tells of one; else, as of VisCAM and
-/// SolidView, if its highest bit is set.
+/// Does a facet have its own colour, with five bits for each component? If the header names a
+/// colour for all facets, as Magics does, each attribute is a colour; otherwise, as in VisCAM and
+/// SolidView, it is one if its highest bit is set.
 inline bool names_stl_color(std::string_view header) {
   return header.substr(0, stl_header_size - 4).find("COLOR=") != std::string_view::npos;
 }

@@ -23,16 +23,17 @@
 
 namespace quadrille::internal {
 
-/// Makes corners of a binary STL file that lie at exactly the same place one vertex, and writes the
-/// surface as binary PLY, in the order of the file; vertices by their coordinates. By an external
-/// merge sort (Knuth, The Art of Computer Programming, volume 3, section 5.4): corners are sorted
-/// in runs that fit into memory, these are merged, and the number of each corner's vertex goes to
-/// the piece of the file that the corner is in. Time O(n log n); five times the file on the disk.
+/// Merges the corners of a binary STL file that lie at exactly the same position into one vertex,
+/// and writes the surface as binary PLY: faces in the order of the file, vertices sorted by their
+/// coordinates. It uses an external merge sort (Knuth, The Art of Computer Programming, volume 3,
+/// section 5.4): corners are sorted in runs that fit into memory, the runs are merged, and the
+/// number of each corner's vertex is written to the section of the file that contains the corner.
+/// It takes O(n log n), and five times the size of the file on the disk.
 class StlWeld {
 public:
-  /// `folder` is for files that are gone at the end; `memory` in bytes. Colours of faces, in the
-  /// bytes behind each, are refused unless only positions are wanted. `ask()` is called at least
-  /// once a second or so, and may throw.
+  /// `folder` is for files that are removed at the end; `memory` is in bytes. Colours of faces, in
+  /// the bytes after each, are rejected unless only positions are requested. `ask()` is called
+  /// about once a second or more often, and may throw.
   template <class Ask>
   static void run(const std::filesystem::path& input, const std::filesystem::path& output,
                   const std::filesystem::path& folder, std::uint64_t memory, bool positions_only,
@@ -47,21 +48,21 @@ public:
     file.finish();
     remove_files(folder);
   }
-  /// Of a run that was killed, too, and the folder if nothing else is in it.
+  /// Removes the files, including those of a killed run, and the folder if nothing else is in it.
   static void remove_files(const std::filesystem::path& folder) {
     remove_job_files(folder, {"run", "corners"});
   }
 
-  /// On the disk at its greatest: corners in runs, then in pieces.
+  /// The greatest size on the disk per face: corners in runs, then in sections.
   static constexpr std::uint64_t bytes_of_face = 90;
 
-  /// As the header tells.
+  /// The number of faces according to the header.
   static std::uint64_t faces(const std::filesystem::path& input) {
     return count_faces(InputFile(input));
   }
 
-  /// Throws std::runtime_error for a file that has not the size that its count of faces says.
-  /// Or that names a colour in its header, unless only positions are wanted.
+  /// Throws std::runtime_error if the size of a file does not match its face count, or if its
+  /// header names a colour, unless only positions are requested.
   static void require_readable(const std::filesystem::path& input, bool positions_only) {
     const InputFile file(input);
     if (count_faces(file) == 0)
@@ -74,7 +75,7 @@ public:
 
 private:
   struct Named {
-    std::uint32_t corner; // of the piece
+    std::uint32_t corner; // in the section
     VertexId vertex;
   };
 
@@ -103,7 +104,7 @@ private:
                     "them out");
   }
 
-  // Steps between two calls of `ask`.
+  // The number of steps between two calls of `ask`.
   static constexpr std::uint64_t often = 1 << 16;
 
   template <class Ask>
@@ -133,7 +134,7 @@ private:
                   "face " + std::to_string(face) + " has a corner that is not finite");
   }
 
-  // Corners of a piece of the file, a multiple of three.
+  // The number of corners in a section of the file, a multiple of three.
   std::uint64_t piece() const {
     return std::clamp<std::uint64_t>(memory_ / 4 / 12, 100, most_sorted / 3) * 3;
   }
@@ -182,7 +183,7 @@ private:
     buffer.clear();
   }
 
-  // Of the same length for any number of vertices, in the order of bytes of this machine.
+  // The header has the same length for any number of vertices, and the byte order of this machine.
   std::string header(std::uint64_t vertices) const {
     const std::string digits = std::to_string(vertices);
     const bool is_big = std::endian::native == std::endian::big;
@@ -220,7 +221,7 @@ private:
   std::filesystem::path folder_;
   std::uint64_t memory_, faces_, vertices_ = 0;
   PlaceSort<float> corners_;
-  std::vector<FileContent> contents_; // of the pieces
+  std::vector<FileContent> contents_; // of the sections
 };
 
 } // namespace quadrille::internal

@@ -23,13 +23,13 @@
 
 namespace quadrille::internal {
 
-/// The file that is simplified: binary PLY of triangles; or what is made that first, PLY of other
-/// kinds and STL whose corners become vertices; or tiles of these, which are made one surface
-/// first.
+/// The file that is simplified: binary PLY of triangles; or a file that is converted to it first,
+/// which is PLY of another kind or STL, whose corners become vertices; or tiles of these kinds,
+/// which are merged into one surface first.
 class SurfaceSource {
 public:
-  /// Throws for a file that is nothing that can be read in parts, as far as its beginning tells.
-  /// `welds`: vertices at exactly the same place become one, whatever the file.
+  /// Throws for a file that cannot be simplified in chunks, as far as its beginning shows. With
+  /// `welds`, vertices at exactly the same position are merged, whatever the kind of the file.
   SurfaceSource(std::vector<std::filesystem::path> paths, ScalarChoice choice, bool keeps_tiles,
                 bool welds)
       : paths_(std::move(paths)), choice_(std::move(choice)), keeps_tiles_(keeps_tiles),
@@ -56,10 +56,10 @@ public:
     if (ply_)
       dropped_ = ply_->dropped();
     if (keeps_tiles)
-      tiles_in(""); // throws where names are the same
+      tiles_in(""); // throws if two names are the same
   }
 
-  /// Files of which nothing counts but the shape, and a scalar of tolerances, if that has a name.
+  /// Reads only the shape of the files, and a scalar of tolerances, if it has a name.
   static SurfaceSource shape_of(std::vector<std::filesystem::path> paths,
                                 const std::string& tolerance = {}) {
     SurfaceSource source(std::move(paths), {true, tolerance}, false, false);
@@ -68,19 +68,19 @@ public:
   }
 
   std::uint64_t key() const { return key_; } ///< of its content
-  /// As far as it is known before anything is read.
+  /// The size as far as it is known before anything is read.
   const InputSize& size() const { return size_; }
-  /// What vertices have beside their places, and goes along.
+  /// The numbers of vertices in addition to their positions, which are simplified with them.
   VertexScalars scalars() const { return ply_ ? ply_->scalars() : VertexScalars(); }
-  /// What is read over.
+  /// The data that is skipped.
   const std::vector<std::string>& dropped() const { return dropped_; }
 
-  /// Is there a surface that has been made of the input?
+  /// Does a surface exist that has been made from the input?
   bool is_made(const JobFolder& folder) const {
     return has_to_be_made() && std::filesystem::exists(folder.welded(key_));
   }
-  /// The surface. Where it has to be made, that is done now, if it has not been.
-  /// `ask()` is called now and then, and may throw.
+  /// Returns the surface. If it has to be made and has not been, it is made now. `ask()` is called
+  /// now and then, and may throw.
   template <class Ask>
   const PlyInput& surface(const JobFolder& folder, std::uint64_t memory, const Ask& ask) {
     if (has_to_be_made())
@@ -90,7 +90,7 @@ public:
     return *ply_;
   }
 
-  /// Where tiles go that are kept. Throws if two have the same name.
+  /// Returns the paths of the kept tiles. Throws if two have the same name.
   std::vector<std::filesystem::path> tiles_in(const std::filesystem::path& folder) const {
     std::vector<std::filesystem::path> result;
     for (const std::filesystem::path& path : paths_)
@@ -105,8 +105,8 @@ public:
   }
 
 private:
-  // What one file is. Vertices of a soup are to be welded, as each face has its own, or since that
-  // is asked for; other PLY is text, or of polygons.
+  // The kind of a file. Vertices of a soup have to be merged, because each face has its own, or
+  // because the user asked for it; other PLY is text, or has polygons.
   enum class Kind { ready, other_ply, soup, other_soup, stl };
 
   bool is_tiled() const { return paths_.size() > 1 || keeps_tiles_; }
@@ -115,7 +115,7 @@ private:
     return std::any_of(kinds_.begin(), kinds_.end(), [](Kind k) { return k != Kind::ready; });
   }
 
-  // Returns how many bytes lie on the disk while it is made ready.
+  // Returns the number of bytes on the disk while the file is prepared.
   std::uint64_t add_file(std::size_t i) {
     const std::filesystem::path& path = paths_[i];
     if (has_extension(path, ".stl") != has_extension(paths_.front(), ".stl"))
@@ -136,7 +136,7 @@ private:
   std::uint64_t add_ply(std::size_t i) {
     open(paths_[i]);
     const bool is_ready = ply_->is_ready(), is_loose = VertexWeld::is_soup(*ply_);
-    const bool is_soup = is_loose || (welds_ && !is_tiled()); // tiles are sewn before
+    const bool is_soup = is_loose || (welds_ && !is_tiled()); // tiles are merged before
     kinds_[i] = is_soup    ? is_ready ? Kind::soup : Kind::other_soup
                 : is_ready ? Kind::ready
                            : Kind::other_ply;
@@ -147,7 +147,7 @@ private:
            (is_soup ? weld_bytes(ply_->vertices()) : 0);
   }
 
-  // Of a file that is made.
+  // The size of a file that is made.
   std::uint64_t bytes_of(std::uint64_t faces, std::uint64_t vertices) const {
     std::uint64_t row = 12, face = 13;
     if (ply_) {
@@ -164,7 +164,7 @@ private:
     return VertexWeld::bytes_of_vertex(ply_ && ply_->has_doubles()) * vertices;
   }
 
-  // `making` is the most that a file takes while it is made ready.
+  // `making` is the greatest size of files while one is prepared.
   void end_size(std::uint64_t making) {
     size_.has_labels = keeps_tiles_ || (ply_ && !ply_->labels().empty());
     if (ply_) {

@@ -19,14 +19,14 @@
 
 namespace quadrille::internal {
 
-/// What all parts of a run add up to.
+/// The counts and distances that all chunks of a run add up.
 struct PartCounters {
   std::uint64_t faces_before = 0, contractions = 0;
   std::array<std::uint64_t, rejection_causes> rejections{};
   double error = 0, seconds = 0;
   double distance_bound = 0, hausdorff_bound = 0;
-  double greatest_tolerance = 0; ///< of the input, as far as the part knows
-  double used_tolerance = -1;    ///< as Report has it; below 0: not known
+  double greatest_tolerance = 0; ///< of the input, as far as the chunk knows
+  double used_tolerance = -1;    ///< as in Report; below 0 if it is unknown
   std::array<double, 3> place_of_used{};
   std::uint32_t stop = 0; ///< a StopReason
 
@@ -50,17 +50,18 @@ struct PartCounters {
   }
 };
 
-/// The beginning of a file of survivors. All zeros until it is finished.
+/// The beginning of a file of survivors. It is all zeros until the file is finished.
 struct SurvivorsHeader {
   std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '4'};
   std::uint64_t key = 0; ///< of the job
   std::uint64_t phase = 0, part = 0;
   std::uint64_t vertices = 0, faces = 0;
-  std::uint64_t scalars = 0;    ///< of a vertex, behind the vertices
-  std::uint64_t state_size = 0; ///< of a vertex, in bytes, behind the faces
+  std::uint64_t scalars = 0;    ///< per vertex, after the vertices
+  std::uint64_t state_size = 0; ///< per vertex, in bytes, after the faces
   std::uint64_t labels = 0;     ///< one for each face, or none
   std::uint64_t bounds = 0;     ///< one for each face, or none
-  std::uint64_t given = 0;      ///< vertices whose state before the phase is stored, behind that
+  std::uint64_t given = 0;      ///< vertices whose state before the phase is stored, after the
+                                ///< states
   std::uint64_t checksum = 0;   ///< of all that follows
   PartCounters counters = {};
 
@@ -72,27 +73,26 @@ struct SurvivorsHeader {
 };
 static_assert(std::is_trivially_copyable_v<SurvivorsHeader>);
 
-/// What is left of a part, by the numbers of the input: vertices in ascending order, their scalars,
-/// then faces.
-/// Memories are bytes: those of each vertex, then pairs of a place among the vertices and the
-/// state that it had been given.
+/// The remaining chunk, by the numbers of the input: vertices in ascending order, their scalars,
+/// then faces. States are bytes: the state of each vertex, then pairs of an index among the
+/// vertices and the state that the vertex had been given.
 struct Survivors {
   std::vector<VertexRow> vertices;
   std::vector<FaceRow> faces;
-  std::vector<double> scalars = {};       ///< of the vertices, or none
-  std::vector<std::uint32_t> labels = {}; ///< of the faces, or none
-  std::vector<FaceBound> bounds = {};     ///< of the faces, or none
+  std::vector<double> scalars = {};       ///< of the vertices, or empty
+  std::vector<std::uint32_t> labels = {}; ///< of the faces, or empty
+  std::vector<FaceBound> bounds = {};     ///< of the faces, or empty
   std::vector<char> states = {};
   std::vector<std::uint64_t> given = {};
   std::vector<char> given_states = {};
 
-  /// Those of one vertex.
+  /// Returns the scalars of one vertex.
   std::span<const double> scalars_of(std::size_t vertex) const {
     const std::size_t size = vertices.empty() ? 0 : scalars.size() / vertices.size();
     return std::span(scalars).subspan(vertex * size, size);
   }
 
-  /// `header` has key, phase, part and counters.
+  /// `header` has key, phase, chunk and counters.
   void write(const std::filesystem::path& path, SurvivorsHeader header) const {
     header.vertices = vertices.size();
     header.faces = faces.size();
@@ -110,7 +110,7 @@ struct Survivors {
     file.finish();
   }
 
-  /// Throws where a file is not what was written.
+  /// Throws if a file is not the one that was written.
   static Survivors read(const std::filesystem::path& path, const SurvivorsHeader& header) {
     const InputFile file(path);
     Survivors s;
@@ -134,8 +134,8 @@ struct Survivors {
     return s;
   }
 
-  /// The header, if the file is finished and of this part of this job; nothing if it is not there
-  /// or does not end where it should.
+  /// Returns the header, if the file is finished and belongs to this chunk of this job; nothing if
+  /// it does not exist or does not end where it should.
   static std::optional<SurvivorsHeader> header(const std::filesystem::path& path, std::uint64_t key,
                                                unsigned phase, std::size_t part) {
     std::error_code ignored;

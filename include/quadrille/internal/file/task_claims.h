@@ -20,14 +20,15 @@
 
 namespace quadrille::internal {
 
-/// Shares out tasks 0 to n − 1 among processes that see one folder: who makes the file of a task
-/// has it. That takes an answer of the file system and of no other process, however busy these are.
+/// Distributes tasks 0 to n − 1 among processes that see one folder: the process that creates the
+/// file of a task has it. This requires an answer of the file system but none of another process,
+/// however busy these are.
 ///
 /// Each process begins with its own tasks, every p-th of p processes, and then takes the last ones
-/// of the others; so the same file is asked for twice only at the end.
+/// of the others; so two processes ask for the same file only at the end.
 class TaskClaims {
 public:
-  /// The folder is there, with nothing but claims of these tasks; process < processes.
+  /// The folder must exist, with nothing but claims of these tasks; process < processes.
   TaskClaims(std::filesystem::path folder, std::size_t tasks, std::size_t process,
              std::size_t processes)
       : folder_(std::move(folder)), is_taken_(tasks) {
@@ -40,7 +41,7 @@ public:
     }
   }
 
-  /// A task that no other process has, or gets; nothing if there is none.
+  /// Returns a task that no other process has, or gets; nothing if there is none.
   std::optional<std::size_t> next() {
     while (next_ < order_.size() && !is_ended()) {
       const std::size_t task = order_[next_++];
@@ -53,7 +54,7 @@ public:
     return std::nullopt;
   }
 
-  /// No process begins another task.
+  /// After this call no process begins another task.
   void end() const { makes(ended); }
 
 private:
@@ -74,7 +75,7 @@ private:
     return descriptor >= 0;
   }
 
-  // Asking for each of them would take longer.
+  // Listing the folder is faster than asking for each task.
   void find_taken() {
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
       const std::string name = entry.path().filename().string();

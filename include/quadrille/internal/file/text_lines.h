@@ -17,12 +17,13 @@
 #include <system_error>
 
 /// \file
-/// Lines, words and numbers of a text, and errors that name their place. A number is read the same
-/// in every locale, and has to take up its whole word: `1.5` is no index and `12abc` no coordinate.
+/// Lines, words and numbers of a text, and errors that name their position. A number is read the
+/// same way in every locale, and must take up its whole word: `1.5` is not an index and `12abc` is
+/// not a coordinate.
 
 namespace quadrille::internal {
 
-/// A file and its content, or what it begins with.
+/// A file and its content, or the beginning of its content.
 struct Source {
   std::filesystem::path path;
   std::string content;
@@ -47,9 +48,9 @@ inline bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// The number that `word` spells: with a sign, `nan` and `inf` too. Beyond the range of `double`
-/// it is zero or infinite, as IEEE 754 rounds. Where the standard library reads no such numbers by
-/// `std::from_chars`, a stream does, which knows neither `nan` nor `inf`.
+/// Returns the number that `word` spells, including signed numbers, `nan` and `inf`. Beyond the
+/// range of `double` it is zero or infinite, as IEEE 754 rounds. If the standard library does not
+/// read such numbers by `std::from_chars`, a stream does, which accepts neither `nan` nor `inf`.
 template <class Number = double>
 std::optional<Number> parse_number(std::string_view word) {
   if (word.starts_with('+'))
@@ -85,7 +86,7 @@ inline std::optional<std::int64_t> parse_integer(std::string_view word) {
 /// Does a `#` begin a comment, up to the end of the line?
 enum class Comments { none, hash };
 
-/// Goes through the lines of a text that hold a word, without their comments. Lines end in LF,
+/// Iterates over the lines of a text that contain a word, without their comments. Lines end in LF,
 /// CR LF or CR.
 class LineReader {
 public:
@@ -95,7 +96,7 @@ public:
       next_ = 3;
   }
 
-  /// Steps to the next line that holds a word; false at the end of the text.
+  /// Steps to the next line that contains a word; false at the end of the text.
   bool next_line() {
     do {
       if (next_ >= text().size())
@@ -106,7 +107,7 @@ public:
     return true;
   }
 
-  /// The next word of the line; empty when there is none left.
+  /// Returns the next word of the line; it is empty if there is none left.
   std::string_view next_word() {
     const std::size_t start = position_;
     while (position_ < line_end_ && !is_blank(text()[position_]))
@@ -116,15 +117,16 @@ public:
     return word;
   }
 
-  /// Makes `tail`, an end of the word read last, the next word.
+  /// Makes `tail`, an end of the last word that was read, the next word.
   void go_back_to(std::string_view tail) {
     position_ = static_cast<std::size_t>(tail.data() - text().data());
   }
 
-  /// The rest of the line.
+  /// Returns the rest of the line.
   std::string_view rest_of_line() const { return text().substr(position_, line_end_ - position_); }
 
-  /// The rest of the line as a name, which may hold blanks, and a # unless that stands alone.
+  /// Returns the rest of the line as a name, which may contain blanks, and a # unless that stands
+  /// alone.
   std::string_view rest_as_name() const {
     std::string_view name = text().substr(position_, newline_ - position_);
     for (std::size_t i = 0; i < name.size(); ++i)
@@ -152,7 +154,7 @@ public:
     return *value;
   }
 
-  /// An integer, or as some programs write it, 255.0.
+  /// Reads an integer, which may be written as 255.0, as some programs do.
   double next_whole_number(const char* what) {
     const std::string_view word = next_word();
     if (const std::optional<std::int64_t> value = parse_integer(word))
@@ -175,7 +177,7 @@ public:
   }
 
   std::size_t line_number() const { return line_number_; }
-  /// Of the lines after this one.
+  /// The number of bytes in the lines after this one.
   std::size_t bytes_left() const { return text().size() - next_; }
 
   [[noreturn]] void fail(const std::string& message) const { fail_at(line_number_, message); }
@@ -216,7 +218,7 @@ private:
   Comments comments_;
   std::size_t position_ = 0; // of the next word in the line
   std::size_t line_end_ = 0;
-  std::size_t newline_ = 0; // behind the line and its comment
+  std::size_t newline_ = 0; // after the line and its comment
   std::size_t next_ = 0;    // start of the next line
   std::size_t line_number_ = 0;
 };

@@ -20,17 +20,17 @@
 
 namespace quadrille::internal {
 
-/// The name of the property of faces that tells from which tile they are.
+/// The name of the property of faces that stores the tile from which they are.
 inline constexpr const char* tile_property = "quadrille_tile";
 
-/// Makes one surface of several files, tiles: vertices of their borders that lie at exactly the
-/// same place, in two tiles or more, become one: the first of them, with the least of their
-/// tolerances. All else is as it was, in the order of the files. Memory: 24 bytes for each face of
-/// a tile, one tile at a time, and 48 for each vertex of a border.
+/// Merges several files, the tiles, into one surface: boundary vertices at exactly the same
+/// position, in two tiles or more, become one vertex, the first of them, with the least of their
+/// tolerances. Everything else stays as it was, in the order of the files. Memory: 24 bytes for
+/// each face of a tile, one tile at a time, and 48 for each boundary vertex.
 class TileSewing {
 public:
-  /// `tiles` are binary PLY, `names` how messages call them. `tells_tiles`: faces get a property,
-  /// by which TileSplit takes them apart again.
+  /// `tiles` are binary PLY, `names` are their names in messages. With `tells_tiles`, faces get a
+  /// property, by which TileSplit separates the tiles again.
   static void run(const std::vector<std::filesystem::path>& tiles,
                   const std::vector<std::filesystem::path>& names, const ScalarChoice& choice,
                   bool tells_tiles, const std::filesystem::path& output) {
@@ -61,7 +61,7 @@ private:
     }
   }
 
-  // One at a time: there may be more than a process may have open.
+  // One file is open at a time: there may be more than a process may have open.
   PlyInput open(std::size_t t) const { return PlyInput(tiles_[t], choice_); }
 
   void require_as_first(const PlyInput& tile, std::size_t t) const {
@@ -76,7 +76,7 @@ private:
                                names_[0].string() + ", with which it is to be one surface");
   }
 
-  // What faces of a tile make of a vertex.
+  // How the faces of a tile use a vertex.
   enum class Use : unsigned char { unused, inner, border };
 
   static std::vector<Use> uses_of(const PlyInput& tile) {
@@ -112,15 +112,15 @@ private:
           !std::all_of(scalars.begin(), scalars.end(), [](double x) { return std::isfinite(x); }))
         fail_file(names_[t], "vertex " + std::to_string(v) + " has a number that is not finite");
       if (uses[v] == Use::border)
-        border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, // no -0
+        border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, // turns -0 into 0
                           t,
                           begins_[t] + v,
                           tolerance_ ? scalars[*tolerance_] : 0});
     });
   }
 
-  // Of several at one place the first is left. Where all are of one tile, its user has made them
-  // several.
+  // The first of several vertices at one position is kept. If all of them are of one tile, they
+  // stay separate, as the user made them.
   void find_merged() {
     std::vector<BorderVertex> border;
     for (std::size_t t = 0; t < tiles_.size(); ++t)
@@ -160,7 +160,7 @@ private:
     const auto at = found(id);
     return at != merged_.end() && at->first == id;
   }
-  // The number of what a vertex has become.
+  // Returns the number of the vertex that a vertex has become.
   std::uint64_t number(std::uint64_t id) const {
     auto at = found(id);
     if (at != merged_.end() && at->first == id) {
@@ -224,12 +224,13 @@ private:
   const std::vector<std::filesystem::path>&tiles_, &names_;
   const ScalarChoice& choice_;
   PlyInput first_;
-  std::optional<std::size_t> tolerance_; // its place among the scalars of a vertex
-  std::vector<std::uint64_t> begins_;    // of each tile, the first of its vertices among all
+  std::optional<std::size_t> tolerance_; // its index among the scalars of a vertex
+  std::vector<std::uint64_t> begins_;    // for each tile, the index of its first vertex among all
   std::uint64_t vertices_ = 0, faces_ = 0;
-  MadeCounts made_;                                             // of the tiles
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> merged_; // a vertex, and what it has become
-  std::vector<std::pair<std::uint64_t, double>> lowered_;       // vertices with another's tolerance
+  MadeCounts made_; // of the tiles
+  // a vertex, and the one that it has become
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> merged_;
+  std::vector<std::pair<std::uint64_t, double>> lowered_; // vertices with another's tolerance
 };
 
 } // namespace quadrille::internal

@@ -18,11 +18,11 @@
 
 namespace quadrille::internal {
 
-/// Takes a surface apart into the tiles that TileSewing has made it of. Vertices of their borders
-/// have the same bits in all of them.
+/// Splits a surface into the tiles from which TileSewing made it. Boundary vertices have the same
+/// bits in all tiles.
 class TileSplit {
 public:
-  /// `folder` is for files that are gone at the end. Returns how many bytes were written.
+  /// `folder` is for files that are removed at the end. Returns the number of written bytes.
   static std::uint64_t run(const std::filesystem::path& surface,
                            const std::vector<std::filesystem::path>& tiles,
                            const std::filesystem::path& folder, std::uint64_t memory) {
@@ -140,7 +140,7 @@ private:
   std::vector<std::filesystem::path> paths_of_faces_, paths_of_vertices_;
   AppendedFiles faces_, vertices_;
   std::vector<FileContent> contents_of_faces_, contents_of_vertices_;
-  std::size_t tile_ = 0; // the place of its property among the labels
+  std::size_t tile_ = 0; // the index of its property among the labels
   Requests requests_;
 };
 

@@ -14,11 +14,11 @@
 
 namespace quadrille::internal {
 
-/// Edges of one face whose ends are both shared by parts. No part can tell them from those where it
-/// meets another one; of all other edges each part has all faces.
+/// Edges of one face with both ends shared by chunks. No chunk can distinguish them from edges
+/// where it meets another chunk; of every other edge a chunk has all faces.
 class TrueBorders {
 public:
-  /// Reads the faces of all parts of a phase, and writes the edges to its file.
+  /// Reads the faces of all chunks of a phase, and writes the edges to its file.
   static FileContent write(const JobFolder& folder, unsigned phase, std::size_t parts,
                            const IdSet& shared) {
     TrueBorders borders(shared);
@@ -51,7 +51,7 @@ private:
     edges_.push_back(std::uint64_t{(std::min)(a, b)} << 32 | (std::max)(a, b));
   }
 
-  // An edge that comes twice has two faces, wherever these are.
+  // An edge that occurs twice has two faces, in whatever chunks these are.
   void leave_single() {
     std::sort(edges_.begin(), edges_.end());
     std::size_t kept = 0;

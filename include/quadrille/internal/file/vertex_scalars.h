@@ -33,12 +33,12 @@ struct ScalarRanges {
   }
 };
 
-/// The numbers that vertices of a PLY file have beside their places, in the order of the file, and
-/// which of them are simplified together: a channel. A colour is one, a normal, the coordinates of
-/// a texture, and each other number by itself.
+/// The numbers of a PLY file's vertices in addition to their positions, in the order of the file,
+/// and their grouping into channels, whose numbers are simplified together. A colour, a normal and
+/// the coordinates of a texture are each one channel, and so is each other number by itself.
 class VertexScalars {
 public:
-  /// A limit of channels, since each takes time and memory.
+  /// The number of channels is limited, since each takes time and memory.
   static constexpr std::size_t most_channels = 64;
 
   VertexScalars() = default;
@@ -58,22 +58,24 @@ public:
   std::size_t size() const { return properties_.size(); }
   std::size_t channels() const { return channels_.size(); }
   const std::vector<PlyProperty>& properties() const { return properties_; }
-  /// The place of a number in a row that is a channel by itself, if there is one of that name.
+  /// Returns the index in a row of a number that is a channel by itself, if there is one of that
+  /// name.
   std::optional<std::size_t> place_of(std::string_view name) const {
     for (const Channel& channel : channels_)
       if (channel.is_scalar() && properties_[channel.properties.front()].name == name)
         return channel.properties.front();
     return std::nullopt;
   }
-  /// Comments of the file that name the pictures of texture coordinates.
+  /// The comments of the file that name the pictures of texture coordinates.
   const std::vector<std::string>& textures() const { return textures_; }
   void set_textures(std::vector<std::string> textures) { textures_ = std::move(textures); }
-  /// The place in a row of that which is the tolerance of a vertex: see ToleranceLimit.
+  /// The index in a row of the number that is the tolerance of a vertex: see ToleranceLimit.
   std::optional<std::size_t> tolerance() const { return tolerance_; }
   void set_tolerance(std::string_view name) { tolerance_ = place_of(name); }
 
-  /// As the engine takes them, of rows of size() values. `diagonal` is that of the whole surface:
-  /// with the ranges it decides how a channel counts, so that it counts alike in all pieces.
+  /// Returns the channels in the engine's form, from rows of size() values. `diagonal` is the
+  /// diagonal of the whole surface: with the ranges it determines the weight of a channel, so that
+  /// it counts equally in all chunks.
   PieceChannels piece(const std::vector<double>& values, const ScalarRanges& ranges,
                       double diagonal, double importance) const {
     PieceChannels result;
@@ -92,8 +94,9 @@ public:
     return result;
   }
 
-  /// Rows of what is left of a piece, from the channels that it has then: values in their ranges,
-  /// and new normals of unit length. `vertices` tells which row of `before` each vertex had.
+  /// Returns rows for the remaining vertices of a chunk, from the channels that it has then: values
+  /// in their ranges, and new normals of unit length. `vertices` gives the row of `before` that
+  /// each vertex had.
   std::vector<double> rows(const std::vector<std::vector<double>>& channels,
                            const std::vector<Index>& vertices, const std::vector<double>& before,
                            const ScalarRanges& ranges) const {
@@ -127,7 +130,7 @@ private:
     bool is_scalar() const { return kind == Kind::number || kind == Kind::integer; }
   };
 
-  // The first `least` of the names have to be there.
+  // The first `least` of the names must exist.
   void take(std::vector<bool>& is_taken, std::initializer_list<std::string_view> names,
             std::size_t least, Kind kind) {
     Channel channel{{}, kind};
@@ -152,7 +155,7 @@ private:
       row[p] = square > 0 ? row[p] / std::sqrt(square) : row[p];
   }
 
-  // A fiftieth of the diagonal for the largest range, as ChannelOptions has it.
+  // The largest range counts as a fiftieth of the diagonal, as in ChannelOptions.
   static double weight(const Channel& channel, const ScalarRanges& ranges, double diagonal) {
     double range = 0;
     for (const std::size_t p : channel.properties)

@@ -28,16 +28,16 @@
 
 namespace quadrille::internal {
 
-/// Makes vertices of a PLY file one where they lie at exactly the same place: the first of the file
-/// stays, with the numbers that it has beside its place, which the others have to have, too.
-/// Nothing else changes its order. Vertices that no face uses stay as they are. Time O(n log n);
-/// three bits of memory for each vertex, beside what is told.
+/// Merges vertices of a PLY file that lie at exactly the same position: the first one in the file
+/// stays, with its numbers in addition to the position, which must be equal in the others. Nothing
+/// else changes its order. Vertices that no face uses stay as they are. It takes O(n log n) and
+/// three bits of memory for each vertex, in addition to the given memory.
 class VertexWeld {
 public:
-  /// On the disk at its greatest.
+  /// The greatest size on the disk per vertex.
   static constexpr std::uint64_t bytes_of_vertex(bool has_doubles) { return has_doubles ? 48 : 32; }
 
-  /// Are there several faces whose corners are vertices one after the other, each of them once?
+  /// Are there several faces whose corners are consecutive vertices, each of them once?
   static bool is_soup(const PlyInput& input) {
     std::uint64_t next = 0;
     bool is_loose = input.faces() > 1;
@@ -54,8 +54,8 @@ public:
     return is_loose;
   }
 
-  /// The input is ready to be read. `folder` is for files that are gone at the end; `ask()` is
-  /// called at least once a second or so, and may throw.
+  /// The input must be ready to be read. `folder` is for files that are removed at the end; `ask()`
+  /// is called about once a second or more often, and may throw.
   template <class Ask>
   static void run(const PlyInput& input, const std::filesystem::path& output,
                   const std::filesystem::path& folder, std::uint64_t memory, const Ask& ask) {
@@ -77,14 +77,14 @@ public:
 
 private:
   struct Welded {
-    std::uint32_t vertex; // of the piece
-    VertexId first;       // at its place
+    std::uint32_t vertex; // in the section
+    VertexId first;       // at its position
   };
 
   VertexWeld(const PlyInput& input, std::filesystem::path folder, std::uint64_t memory)
       : input_(input), folder_(std::move(folder)), memory_(memory), welded_(input.vertices()) {}
 
-  // Of those at one place.
+  // Finds the first of the vertices at each position.
   template <class Number, class Ask>
   void find_firsts(const Ask& ask) {
     PlaceSort<Number> sort(folder_, memory_, input_.vertices());
@@ -134,13 +134,13 @@ private:
     return used;
   }
 
-  // A vertex is sorted as its number and behind that a digest of what it has beside its place. Of
-  // two that differ it is the same once in 2^32: then the first one's numbers stay.
+  // A vertex is sorted as its number, followed by a digest of its numbers other than the position.
+  // Two different sets have the same digest once in 2^32: then the first one's numbers stay.
   static VertexId vertex_of(std::uint64_t sorted) { return static_cast<VertexId>(sorted >> 32); }
   static std::uint32_t digest(const std::vector<double>& scalars) {
     Checksum checksum;
     for (const double x : scalars) {
-      const double value = x + 0.0; // -0 is 0
+      const double value = x + 0.0; // turns -0 into 0
       checksum.add(&value, sizeof(value));
     }
     return static_cast<std::uint32_t>(checksum.value());
@@ -171,7 +171,7 @@ private:
   }
   std::filesystem::path numbers_path() const { return piece_path(contents_.size()); }
 
-  // Writes the number that each vertex has in the output, one after the other.
+  // Writes the number that each vertex has in the output, one after another.
   template <class Ask>
   void number_vertices(const Ask& ask) {
     const IdRanks welded_before(welded_);
@@ -236,14 +236,14 @@ private:
     });
   }
 
-  // Items between two calls of `ask`.
+  // The number of items between two calls of `ask`.
   static constexpr std::uint64_t often = 1 << 16;
 
   const PlyInput& input_;
   std::filesystem::path folder_;
   std::uint64_t memory_, vertices_ = 0; // of the output
-  IdSet welded_;                        // to another one, and gone
-  std::vector<FileContent> contents_;   // of the pieces
+  IdSet welded_;                        // merged into another one, and removed
+  std::vector<FileContent> contents_;   // of the sections
 };
 
 } // namespace quadrille::internal

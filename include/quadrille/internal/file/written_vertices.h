@@ -13,7 +13,7 @@
 
 namespace quadrille::internal {
 
-/// Places of the vertices of a file, by their numbers, in any order: see RowBlocks.
+/// The positions of the vertices of a file, by their numbers, in any order: see RowBlocks.
 class WrittenVertices {
 public:
   /// Rows are little-endian and begin with three floats or doubles.
