@@ -115,38 +115,34 @@ compiler_spellings() {
 
 # Comments are sentences in plain English: none begins with a word such as Of or What, and none uses a word
 # that has a standard term instead (doc/architecture.md). Names of functions, and what stands in backquotes,
-# are no words. The list grows by each folder or header of include/quadrille whose comments are rewritten.
+# are no words.
 words() {
   cd include/quadrille
-  wrong=0
-  for path in *.h compiled internal; do
-    find "$path" -name '*.h' -exec awk '
-      BEGIN {
-        first = "^(Of|What|The same|Who|Whose|Those|That|Where)( |$)"
-        banned = " (told|tells?|tellers?|hears?|remember(s|ed|ing)?|memories|recession|crumbs?|dear|anew|" \
-                 "beside|lest|shall|stamp(s|ed)?|tall(y|ies|ied)|followers?|guess(es)?|settles?|settled) "
+  find . -name '*.h' -exec awk '
+    BEGIN {
+      first = "^(Of|What|The same|Who|Whose|Those|That|Where)( |$)"
+      banned = " (told|tells?|tellers?|hears?|remember(s|ed|ing)?|memories|recession|crumbs?|dear|anew|" \
+               "beside|lest|shall|stamp(s|ed)?|tall(y|ies|ied)|followers?|guess(es)?|settles?|settled) "
+    }
+    FNR == 1 { inside = 0 }
+    {
+      begin = match($0, /\/\/+<?( |$)/)
+      if (!begin || substr($0, 1, begin - 1) ~ /"[^"]*$/) { inside = 0; next }
+      is_line = substr($0, 1, begin - 1) ~ /^ *$/
+      text = substr($0, begin + RLENGTH)
+      if ((!inside || !is_line) && text ~ first) {
+        print FILENAME ":" FNR ": begins with " text
+        wrong = 1
       }
-      FNR == 1 { inside = 0 }
-      {
-        begin = match($0, /\/\/+<?( |$)/)
-        if (!begin || substr($0, 1, begin - 1) ~ /"[^"]*$/) { inside = 0; next }
-        is_line = substr($0, 1, begin - 1) ~ /^ *$/
-        text = substr($0, begin + RLENGTH)
-        if ((!inside || !is_line) && text ~ first) {
-          print FILENAME ":" FNR ": begins with " text
-          wrong = 1
-        }
-        inside = is_line && text != ""
-        gsub(/`[^`]*`|[A-Za-z_:]+\(/, "", text)
-        gsub(/[^A-Za-z_]+/, "  ", text)
-        if (match(" " tolower(text) " ", banned)) {
-          print FILENAME ":" FNR ": says" substr(" " text " ", RSTART, RLENGTH)
-          wrong = 1
-        }
+      inside = is_line && text != "" && text !~ /^\\file/
+      gsub(/`[^`]*`|[A-Za-z_:]+\(/, "", text)
+      gsub(/[^A-Za-z_]+/, "  ", text)
+      if (match(" " tolower(text) " ", banned)) {
+        print FILENAME ":" FNR ": says" substr(" " text " ", RSTART, RLENGTH)
+        wrong = 1
       }
-      END { exit wrong }' {} + || wrong=1
-  done
-  exit $wrong
+    }
+    END { exit wrong }' {} +
 }
 
 # No file mentions a path of a developer's machine: a home, or the folder that the repository lies in.

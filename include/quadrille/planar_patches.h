@@ -211,47 +211,47 @@ PlanarReport remesh_mesh(Mesh& mesh, const Arguments&... arguments) {
 } // namespace internal
 
 /// Finds the planar patches of a triangle mesh and triangulates each again, in place, between the
-/// vertices that its shape needs: flat parts of CAD models, of voxels and of buildings get the
-/// fewest faces that they can have on vertices of the input, at once.
+/// vertices that its shape needs: flat regions of CAD models, of voxels and of buildings get at
+/// once the fewest faces that vertices of the input allow.
 ///
-/// A *patch* is faces that are connected by edges and lie in one plane. Its border keeps the
-/// vertices where it bends, where other than two patches meet, and where it touches another vertex;
-/// the others go, from the patches on both sides alike, and so do vertices inside. What is left is
-/// triangulated by a constrained Delaunay triangulation. No vertex moves. A patch that has nothing
-/// to lose stays as it is.
+/// A *patch* is a set of faces that are connected by edges and lie in one plane. Its boundary keeps
+/// the vertices where it bends, where more or fewer than two patches meet, and where it touches
+/// another vertex; the other boundary vertices are removed, in the same way from the patches on
+/// both sides, and so are the vertices inside. The rest is triangulated by a constrained Delaunay
+/// triangulation. No vertex moves. A patch without removable vertices stays as it is.
 ///
 /// `mesh` is as in `simplify`. The arguments, in any order, are
 ///
-/// - PlanarTolerance: what counts as planar; by default what is but for rounding
-/// - Labels: of faces; their borders are borders of patches
+/// - PlanarTolerance: which faces count as planar; by default those that are, up to rounding
+/// - Labels, for faces; boundaries of labels are boundaries of patches
 /// - Texture, Normals, Colors, Attributes, any number: channels, see channels.h. A patch ends where
-///   one is not affine, or has a seam. Options that say how a channel counts are not looked at
+///   a channel is not affine, or has a seam. The options for the weight of a channel are ignored
 /// - CGAL's named parameters vertex_point_map, vertex_index_map, vertex_is_constrained_map (such a
 ///   vertex stays), edge_is_constrained_map (such an edge stays, with its ends), face_patch_map,
 ///   vertex_color_map, vertex_texture_map, vertex_normal_map, geom_traits, and
 ///   quadrille::parameters::vertex_attribute_map, as in `simplify`; others do not compile
 ///
-/// Promised of the result, with a tolerance of `distance`, at least 18 units of rounding of the
-/// largest coordinate:
+/// The result has these guarantees, with a tolerance of `distance`, at least 18 units of rounding
+/// of the largest coordinate:
 ///
 /// - each point of either surface is within that distance of the other
 /// - topology is kept, closed surfaces stay closed, faces keep their orientation, labels and
-///   descriptors, edges that are left are some of those that there were
-/// - vertices are some of those that there were, at their places, with their values
-/// - with the default, on a surface of which no part touches itself but at vertices, vertices are
-///   all corners of patches, and no others: no triangulation of the same patches has fewer faces
+///   descriptors, and the edge descriptors of the result are some of the input's
+/// - each vertex is a vertex of the input, at the same position, with the same values
+/// - with the default tolerance, if the surface touches itself only at vertices, the vertices are
+///   exactly the corners of patches: no triangulation of the same patches has fewer faces
 ///
 /// If a patch cannot be triangulated, because boundaries would cross or close up once they are
 /// made straight, it keeps all vertices of its boundary; or, if that is not sufficient, its faces:
-/// PlanarReport counts both. Patches by themselves can't intersect, but with a large tolerance
-/// those of several planes may.
+/// PlanarReport counts both. The triangles of one patch cannot intersect, but with a large
+/// tolerance patches of several planes may.
 ///
 /// Time O(n log n) for n faces as a rule. Memory: about 200 bytes per face in addition to the mesh.
 ///
 /// Throws as `simplify` does, before anything is changed. The same input gives the same result.
 ///
-/// Source: the patches of CGAL 6, remesh_planar_patches(); borders are made straight by Douglas and
-/// Peucker, 1973.
+/// Source: the patches of CGAL 6, remesh_planar_patches(); boundaries are straightened as by
+/// Douglas and Peucker, 1973.
 template <class Mesh, class... Arguments>
 requires internal::FaceGraph<Mesh>
     PlanarReport remesh_planar_patches(Mesh& mesh, const Arguments&... arguments) {
@@ -259,12 +259,13 @@ requires internal::FaceGraph<Mesh>
                               [&] { return internal::remesh_mesh(mesh, arguments...); });
 }
 
-/// Remeshes a polygon soup of triangles, in any of the forms that `simplify` takes: containers
-/// of points and triangles, with point_map and SplitVertices as there, matrices, spans and other
-/// buffers. It may be non-manifold: an edge of other than two faces is a border of patches. So is
-/// one of two faces that do not run round alike, so the sheets of two sides that `simplify` knows
-/// stay as they are. Points and triangles that are left keep their order; points of no triangle,
-/// and triangles that name a point twice, are dropped. There are no maps over edges.
+/// Remeshes a polygon soup of triangles, in any of the forms that `simplify` takes: containers of
+/// points and triangles, with point_map and SplitVertices as there, matrices, spans and other
+/// buffers. It may be non-manifold: an edge that does not have exactly two faces is a boundary of
+/// patches. So is an edge of two faces with opposite orientation, so the double-sided faces that
+/// `simplify` recognises stay as they are. The remaining points and triangles keep their order;
+/// points of no triangle, and triangles that name a point twice, are removed. There are no maps
+/// over edges.
 template <class Points, class Triangles, class... Arguments>
 requires(internal::PointContainer<Points>&& internal::TriangleContainer<Triangles>) ||
     internal::BufferedSoup<std::remove_reference_t<Points>,

@@ -18,7 +18,7 @@
 namespace quadrille::internal {
 
 /// \file
-/// What channels add to two pairs at the price of one.
+/// Adds the costs of channels to two pairs at the price of one.
 
 /// Adds what the maps of the wedges that have the numbers of the ends of two pairs disagree about:
 /// see MapJoiner::add_difference. `to_seconds`: from the first ends to the second.

@@ -7,8 +7,8 @@
 #include <vector>
 
 /// \file
-/// What adapters know of the channels of a call: <quadrille/channels.h> defines the templates, and
-/// a call without channels needs no more than what is here.
+/// The adapters' view of the channels of a call: <quadrille/channels.h> defines the templates, and
+/// a call without channels requires only this header.
 
 namespace quadrille::internal {
 

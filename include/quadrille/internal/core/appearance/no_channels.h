@@ -8,8 +8,8 @@
 #include <type_traits>
 
 /// \file
-/// What the engine knows of channels. <quadrille/channels.h> brings those that a call has; a call
-/// without them needs no more than what is here.
+/// The engine's view of channels. <quadrille/channels.h> defines the channels of a call; a call
+/// without channels requires only this header.
 
 namespace quadrille::internal {
 

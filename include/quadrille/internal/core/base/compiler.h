@@ -2,8 +2,8 @@
 #define QUADRILLE_INTERNAL_CORE_BASE_COMPILER_H
 
 /// \file
-/// What compilers have in common but spell differently: g++, clang and what descends from them, and
-/// Microsoft's. On any other compiler a macro stands for nothing, and the library works without.
+/// Features that compilers have in common but spell differently: g++, clang and their descendants,
+/// and Microsoft's. On any other compiler the macros are empty, and the library works without them.
 
 // Microsoft's compiler reports its standard in a macro of its own.
 #ifdef _MSVC_LANG
