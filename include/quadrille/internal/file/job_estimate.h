@@ -93,7 +93,7 @@ private:
                                       faces * (input_.has_labels ? 17 : 13));
   }
 
-  // A phase has at most 32 sampled chunks; if it is small, it has a single chunk.
+  // At most 32 chunks of a phase are sampled; a small chunk has a single sample.
   double bytes_of_samples() const {
     const std::uint64_t parts = std::bit_ceil(input_.faces / part_faces_ + 1);
     const std::uint64_t sampled = (std::min<std::uint64_t>)(parts, 32);

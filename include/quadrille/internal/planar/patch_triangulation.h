@@ -27,13 +27,13 @@ namespace quadrille::internal {
 /// A straight section of the boundary of a patch, from the corner at the end of one boundary side
 /// to the corner at the end of another; the patch is on its left.
 struct BorderPart {
-  Index from, to; ///< border sides
+  Index from, to; ///< boundary sides
 };
 
 /// A triangle of a patch that has been triangulated again.
 struct PatchTriangle {
   std::array<Index, 3> corners; ///< sides of the input that lead to the original corners
-  std::array<Index, 3> mates;   ///< the triangle beyond the side to each corner; none on the border
+  std::array<Index, 3> mates; ///< the triangle beyond the side to each corner; none on the boundary
 };
 
 /// The constrained Delaunay triangulation of a patch, projected to its plane.
