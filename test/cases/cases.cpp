@@ -292,8 +292,8 @@ std::ostream& operator<<(std::ostream& out, const Call& call) {
                  : call.topology == Topology::free ? "free"
                                                    : "kept, parts may vanish")
              << ", normals turn by " << call.flip_degrees << " degrees, angles of at least "
-             << call.smallest_angle
-             << ", degree " << call.degree << ", cancelled at call " << call.cancel_at;
+             << call.smallest_angle << ", degree " << call.degree << ", cancelled at call "
+             << call.cancel_at;
 }
 
 void write_numbers(std::ostream& out, const Case& input) {
@@ -460,6 +460,11 @@ std::string violation(const Case& input) {
   Outcome outcome;
   try {
     simplify(input, outcome);
+  } catch (const std::length_error& error) {
+    if (!(input.call.threshold > 0))
+      return std::string("good input is refused: ") + error.what();
+    return outcome.triangles == input.soup.triangles ? ""
+                                                     : "too many pairs, and the soup has changed";
   } catch (const std::invalid_argument& error) {
     if (!is_bad(input) && !input.may_be_refused)
       return std::string("good input is refused: ") + error.what();

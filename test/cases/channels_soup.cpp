@@ -103,7 +103,7 @@ void simplify_soup_with_channels(const Case& input, Outcome& outcome) {
   const auto is_fixed = boost::make_function_property_map<std::size_t>(
       [&](std::size_t v) -> bool { return input.is_fixed[v]; });
   const detail::CancelAt visitor(input.call.cancel_at);
-  const ThresholdPairs pairs(input.call.threshold, 1000);
+  const ThresholdPairs pairs(input.call.threshold);
   outcome.report = detail::with_policies<Quadric>(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(
         outcome.points, outcome.triangles, Quadric{.boundary_weight = input.call.boundary_weight},

@@ -54,11 +54,11 @@ template <class Cost, class Pairs, class Simplify>
 quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify simplify) {
   const auto with_order = [&](const auto& order) {
     return simplify(placement_of<Cost>(call.placement), pairs, call.stop, order, call.topology,
-                    quadrille::NormalFlip(call.flip_degrees), quadrille::SmallestAngle(call.smallest_angle),
+                    quadrille::NormalFlip(call.flip_degrees),
+                    quadrille::SmallestAngle(call.smallest_angle),
                     quadrille::HighestDegree(call.degree));
   };
-  return call.relaxed ? with_order(*call.relaxed)
-                      : with_order(quadrille::GreedyOrder{});
+  return call.relaxed ? with_order(*call.relaxed) : with_order(quadrille::GreedyOrder{});
 }
 
 // The attributes that a cost looks at, if any.
@@ -82,7 +82,7 @@ void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost) {
   const auto named = detail::with_attributes<Cost>(
       CGAL::make_property_map(outcome.numbers), CGAL::make_property_map(outcome.colors),
       CGAL::parameters::vertex_is_constrained_map(is_fixed).visitor(visitor));
-  const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
+  const quadrille::ThresholdPairs pairs(input.call.threshold);
   outcome.report = detail::with_policies<Cost>(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(outcome.points, outcome.triangles, cost, policy..., named);
   });
@@ -110,7 +110,7 @@ void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
                                     CGAL::parameters::vertex_is_constrained_map(is_fixed)
                                         .edge_is_constrained_map(is_kept)
                                         .visitor(visitor));
-  const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
+  const quadrille::ThresholdPairs pairs(input.call.threshold);
   outcome.report = detail::with_policies<Cost>(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(mesh, cost, policy..., named);
   });
