@@ -71,11 +71,11 @@ python() {
   ls __init__.py py.typed _core.pyi _core.*.so
   cd /
   PYTHONPATH=$folder PYTHONDONTWRITEBYTECODE=1 "$python" -c '
-  import quadrille, sys
-  print(quadrille.__version__, quadrille.__file__)
-  assert quadrille.__file__.startswith(sys.argv[1])
-  points, faces = quadrille.simplify([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
-  assert faces.shape[1] == 3' "$folder"
+import quadrille, sys
+print(quadrille.__version__, quadrille.__file__)
+assert quadrille.__file__.startswith(sys.argv[1])
+points, faces = quadrille.simplify([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+assert faces.shape[1] == 3' "$folder"
   [ ! -e /etc/debian_version ] || [ ! -w / ] || {
     DESTDIR=$prefix/root "$cmake" --install "$build" --component python --prefix /usr >/dev/null
     ls "$prefix/root/usr/lib/python3/dist-packages/quadrille/__init__.py"

@@ -673,7 +673,7 @@ TEST_CASE("broken documents are refused with a line") {
              Catch::Contains("POSITION"));
   CHECK_THAT(broken("/meshes/0/primitives/0/mode", 7), Catch::Contains("mode 7"));
   CHECK_THAT(broken("/meshes/0/primitives/0/indices", 0), Catch::Contains("indices"));
-  CHECK_THAT(broken("/meshes/0/primitives", 3), Catch::Contains("no array"));
+  CHECK_THAT(broken("/meshes/0/primitives", 3), Catch::Contains("is not an array"));
   CHECK_THAT(broken("/asset/version", "1.0"), Catch::Contains("version"));
 }
 
