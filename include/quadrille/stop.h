@@ -24,6 +24,8 @@ inline void require_ratio(const std::string& policy, double ratio) {
                                 " is not in [0, 1]");
 }
 
+struct NoEdgeProfile {}; // in the place of one of CGAL
+
 } // namespace internal
 
 /// Stops at `faces` faces: at exactly this number if topology allows it at a reasonable cost,
@@ -106,12 +108,10 @@ public:
 
   /// Returns true once the predicate does.
   bool operator()(const Status& status) const {
-    return predicate_(status.next_cost, NoEdgeProfile{}, status.initial_edges, status.edges);
+    return predicate_(status.next_cost, internal::NoEdgeProfile{}, status.initial_edges, status.edges);
   }
 
 private:
-  struct NoEdgeProfile {};
-
   Predicate predicate_;
 };
 
