@@ -108,7 +108,8 @@ public:
 
   /// Returns true once the predicate does.
   bool operator()(const Status& status) const {
-    return predicate_(status.next_cost, internal::NoEdgeProfile{}, status.initial_edges, status.edges);
+    return predicate_(status.next_cost, internal::NoEdgeProfile{}, status.initial_edges,
+                      status.edges);
   }
 
 private:
