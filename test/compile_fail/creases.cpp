@@ -9,11 +9,10 @@ using All = boost::static_property_map<bool, Key>;
 
 int main() {
   using namespace quadrille;
+  const auto creases = quadrille::parameters::edge_is_crease_map(All<CGAL::SM_Edge_index>(true));
 #ifdef REMEDY
-  simplify<Quadric>(mesh,
-                    quadrille::parameters::edge_is_crease_map(All<CGAL::SM_Edge_index>(true)));
+  simplify<Quadric>(mesh, creases);
 #else
-  simplify<MemorylessQuadric>(
-      mesh, quadrille::parameters::edge_is_crease_map(All<CGAL::SM_Edge_index>(true))); // mistake
+  simplify<MemorylessQuadric>(mesh, creases); // mistake
 #endif
 }
