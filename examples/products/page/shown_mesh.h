@@ -17,7 +17,7 @@ namespace quadrille_examples {
 /// What a page shows upon faces.
 struct PageMaterial {
   std::array<double, 3> color = {1, 1, 1}; ///< linear, from 0 to 1
-  std::optional<std::size_t> image;        ///< of PageMaterials::images, times the colour
+  std::optional<std::size_t> image = {};   ///< of PageMaterials::images, times the colour
   double cutoff = 0;                       ///< parts of the image of less opacity are not there
 
   friend bool operator==(const PageMaterial&, const PageMaterial&) = default;

@@ -81,7 +81,7 @@ inline PolygonSoup read_binary_stl(const Source& source) {
 /// itself is passed over.
 class StlTextReader {
 public:
-  explicit StlTextReader(const Source& source) : lines_(source, Comments::none) {
+  explicit StlTextReader(const Source& source) : lines_(source, Comments::absent) {
     require_text(source);
   }
 

@@ -84,7 +84,7 @@ inline std::optional<std::int64_t> parse_integer(std::string_view word) {
 }
 
 /// Does a `#` begin a comment, up to the end of the line?
-enum class Comments { none, hash };
+enum class Comments { absent, hash };
 
 /// Iterates over the lines of a text that contain a word, without their comments. Lines end in LF,
 /// CR LF or CR.

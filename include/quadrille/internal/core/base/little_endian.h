@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_BASE_LITTLE_ENDIAN_H
-#define QUADRILLE_INTERNAL_BASE_LITTLE_ENDIAN_H
+#ifndef QUADRILLE_INTERNAL_CORE_BASE_LITTLE_ENDIAN_H
+#define QUADRILLE_INTERNAL_CORE_BASE_LITTLE_ENDIAN_H
 
 #include <algorithm>
 #include <array>
@@ -40,9 +40,11 @@ Number little_endian_at(std::string_view bytes, std::size_t offset) {
 template <class Bytes, class Number>
 void append_little_endian(Bytes& bytes, Number number) {
   const auto raw = little_endian<typename Bytes::value_type>(number);
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
+  const std::size_t size = bytes.size();
+  bytes.resize(size + raw.size());
+  std::memcpy(bytes.data() + size, raw.data(), raw.size());
 }
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_BASE_LITTLE_ENDIAN_H
+#endif // QUADRILLE_INTERNAL_CORE_BASE_LITTLE_ENDIAN_H

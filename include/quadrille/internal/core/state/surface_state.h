@@ -145,8 +145,8 @@ struct SurfaceState {
   using Input = InputOf<dimension, Policies::has_channels>;
 
   /// Takes the input's arrays. `box`: of the surface's units, see box_of_units().
-  SurfaceState(Input& input, const Box<dimension>& box, const Policies& policies)
-      : policies(policies), scale(scale_of(input, box, policies)),
+  SurfaceState(Input& input, const Box<dimension>& box, const Policies& given)
+      : policies(given), scale(scale_of(input, box, given)),
         complex(input.positions.size(), take_triangles(policies.pairs, input),
                 !policies.order.passes, policies.threads),
         scratches(scratches_for(policies.threads, complex)),
