@@ -5,7 +5,6 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/memory/columns.h>
 #include <quadrille/internal/core/pairs/candidate.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/scratch.h>
@@ -131,25 +130,10 @@ concept HearsAfter = requires(Observer& observer, const Event& event) {
   observer.after(event);
 };
 
-/// Returns the components that receive an event, as a tuple of references. A component that has
-/// columns only receives none.
-template <class Event, class... Part>
-auto observers_of(const std::tuple<Part&...>& parts) {
-  const auto tie_if_told = []<class P>([[maybe_unused]] P& part) {
-    constexpr bool is_told = HearsBefore<P, Event> || HearsAfter<P, Event>;
-    static_assert(
-        is_told || HasColumns<P>,
-        "quadrille: what follows contractions has before(event), after(event) or columns");
-    if constexpr (is_told)
-      return std::tie(part);
-    else
-      return std::tuple<>();
-  };
-  return std::apply([&](auto&... part) { return std::tuple_cat(tie_if_told(part)...); }, parts);
-}
-
 template <class Observer, class Event>
 QUADRILLE_ALWAYS_INLINE inline void tell_before(Observer& observer, const Event& event) {
+  static_assert(HearsBefore<Observer, Event> || HearsAfter<Observer, Event>,
+                "quadrille: an observer of contractions has before(event) or after(event)");
   if constexpr (HearsBefore<Observer, Event>)
     observer.before(event);
 }
