@@ -1,17 +1,9 @@
 // What the vertices, corners and faces of a mesh have on its way through `simplify`:
-// examples/products/mesh_io/attributes/mesh_attributes.h and mesh_channels.h, and costs that carry
-// attributes, examples/products/program/carrying_cost.h.
+// examples/products/mesh_io/attributes/mesh_channels.h.
 
-#include "../examples/products/mesh_io/attributes/mesh_attributes.h"
 #include "../examples/products/mesh_io/attributes/mesh_channels.h"
-#include "../examples/products/program/carrying_cost.h"
 
-#include <quadrille/attribute_quadric.h>
-#include <quadrille/edge_length.h>
-#include <quadrille/memoryless_quadric.h>
-#include <quadrille/simplify.h>
-
-#include <CGAL/property_map.h>
+#include <quadrille/compiled.h>
 
 #include <catch2/catch.hpp>
 
@@ -84,13 +76,6 @@ std::size_t count_regions(const std::string& name, const NumberType& type, Value
   return std::max<std::size_t>(regions, 1);
 }
 
-constexpr Importance importance = {0.02, 0.2};
-
-template <std::size_t N>
-auto map_over(std::vector<CarriedAttributes<N>>& carried) {
-  return quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried));
-}
-
 /// The vertex of the mesh at a place.
 std::size_t vertex_at(const IndexedMesh& mesh, const Point& place) {
   const auto found = std::find(mesh.points.begin(), mesh.points.end(), place);
@@ -98,56 +83,29 @@ std::size_t vertex_at(const IndexedMesh& mesh, const Point& place) {
   return static_cast<std::size_t>(found - mesh.points.begin());
 }
 
-struct Pair {
-  quadrille::Vector<5> first, second;
-  CarryingCost<quadrille::Quadric, 2>::State state;
-  double squared_reach;
-  int current;
-};
-
 } // namespace
 
-TEMPLATE_TEST_CASE("A cost that carries attributes contracts as it does without",
-                   "[mesh_attributes]", quadrille::Quadric, quadrille::MemorylessQuadric,
-                   quadrille::ThinFeatureQuadric, quadrille::EdgeLength) {
+TEST_CASE("Attributes that hardly count are carried along every cost", "[mesh_attributes]") {
+  using Cost = quadrille::SoupOptions::Cost;
+  const Cost cost = GENERATE(Cost::quadric, Cost::memoryless_quadric, Cost::thin_feature_quadric,
+                             Cost::edge_length);
+  const quadrille::SoupOptions options{
+      .ratio = 0.2, .cost = cost, .placement = quadrille::SoupOptions::Placement::endpoint};
   const IndexedMesh input = sheet(16);
-  IndexedMesh plain = input, mesh = input;
-  quadrille::simplify(plain.points, plain.triangles, TestType{}, quadrille::EndpointPlacement{},
-                      quadrille::FaceRatio{0.2}, quadrille::Topology::kept);
+  quadrille::SoupPoints points = soup_points(input.points);
+  auto triangles = input.triangles;
+  quadrille::simplify_soup(points, triangles, options);
 
-  const MeshAttributes attributes(mesh, importance);
-  REQUIRE(attributes.size() == 5); // blue is constant
-  auto carried = attributes.carried<6>();
-  quadrille::simplify(mesh.points, mesh.triangles, CarryingCost<TestType, 6>(TestType{}),
-                      quadrille::EndpointPlacement{}, quadrille::FaceRatio{0.2},
-                      quadrille::Topology::kept, map_over(carried));
-  attributes.restore(mesh, carried);
-  CHECK(mesh.points == plain.points);
-  CHECK(mesh.triangles == plain.triangles);
+  IndexedMesh mesh = input;
+  MeshChannels(mesh).simplify(options, {.of_colors = 1e-9, .of_textures = 1e-9});
+  CHECK(mesh.triangles.size() == triangles.size());
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const std::size_t before = vertex_at(input, mesh.points[v]);
-    CHECK(mesh.colors[v] == input.colors[before]);
-    CHECK(mesh.texture_coordinates[v] == input.texture_coordinates[before]);
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK(std::abs(mesh.colors[v][i] - input.colors[before][i]) < 0.1);
+    for (std::size_t i = 0; i < 2; ++i)
+      CHECK(std::abs(mesh.texture_coordinates[v][i] - input.texture_coordinates[before][i]) < 0.2);
   }
-}
-
-TEST_CASE("Carried attributes lie between those of the two ends", "[mesh_attributes]") {
-  const CarryingCost<quadrille::Quadric, 2> cost(quadrille::Quadric{});
-  const auto minimizer = [&](double x, double y) {
-    // The squared distance to (x, y, 0), about the first end.
-    quadrille::QuadricForm<3> form = quadrille::QuadricForm<3>::point(1);
-    form.move_origin({{-x, -y, 0}});
-    return *cost.minimizer(Pair{{{0, 0, 0, 10, 1. / 3}}, {{2, 0, 0, 20, 1. / 7}}, {form}, 100, 0});
-  };
-  using Position = quadrille::Vector<5>;
-  const Position quarter = minimizer(0.5, 3);
-  CHECK(quarter[0] == Approx(0.5));
-  CHECK(quarter[1] == Approx(3));
-  CHECK(quarter[3] == Approx(12.5));
-  CHECK(quarter[4] == Approx(0.75 / 3 + 0.25 / 7));
-  CHECK(minimizer(-1, 0) == Position{{-1, 0, 0, 10, 1. / 3}});
-  CHECK(minimizer(2, 1) == Position{{2, 1, 0, 20, 1. / 7}});
-  CHECK(minimizer(5, 0) == Position{{5, 0, 0, 20, 1. / 7}});
 }
 
 TEST_CASE("What varies is carried, at any size of model and attributes", "[mesh_attributes]") {
@@ -159,15 +117,9 @@ TEST_CASE("What varies is carried, at any size of model and attributes", "[mesh_
         p = Point(size * p.x(), size * p.y(), size * p.z());
       for (auto& [u, v] : mesh.texture_coordinates)
         u = 5 * unit + unit * u, v *= unit;
-      const IndexedMesh input = mesh;
-      const MeshAttributes attributes(mesh, importance);
-      auto carried = attributes.carried<6>();
-      quadrille::AttributeQuadric<6> cost;
-      cost.weights.emplace().coordinates.fill(1);
-      quadrille::simplify(mesh.points, mesh.triangles, cost, quadrille::FaceRatio{0.5},
-                          quadrille::Topology::kept, map_over(carried));
-      attributes.restore(mesh, carried);
-      CHECK(mesh.triangles.size() == 64);
+      simplify_channels(mesh, 0.5);
+      CHECK(mesh.triangles.size() <= 64);
+      CHECK(mesh.triangles.size() >= 63); // a boundary edge takes one face along
       for (const auto& [u, v] : mesh.texture_coordinates) {
         CHECK(u / unit > 4.9);
         CHECK(u / unit < 6.3);
@@ -175,46 +127,6 @@ TEST_CASE("What varies is carried, at any size of model and attributes", "[mesh_
       for (const Color& color : mesh.colors)
         CHECK(color[2] == 1. / 3);
     }
-}
-
-TEST_CASE("Attributes that count are lengths of about their importance", "[mesh_attributes]") {
-  const IndexedMesh mesh = sheet(8);
-  const double size = std::hypot(8., 8., 2.);
-  const auto carried = MeshAttributes(mesh, importance).carried<5>();
-  const auto extent = [&](std::size_t i) { return carried.back()[i] - carried.front()[i]; };
-  const double root = std::sqrt(2.);
-  CHECK(extent(0) >= 0.02 * size / root * 0.95);
-  CHECK(extent(0) <= 0.02 * size * root * 1.05);
-  CHECK(extent(3) >= 0.2 * size / root * 0.95); // u has the larger range of the two
-  CHECK(extent(3) <= 0.2 * size * root * 1.05);
-  CHECK(extent(4) == Approx(extent(3) * 7 / 11));
-}
-
-TEST_CASE("Restored colours are of their type and in the range that there was",
-          "[mesh_attributes]") {
-  IndexedMesh mesh = sheet(4);
-  mesh.texture_coordinates.clear();
-  mesh.color_type = {255, true, false, false};
-  for (std::size_t v = 0; v < mesh.colors.size(); ++v)
-    mesh.colors[v] = {static_cast<double>(10 + v), 99, 5, 255};
-  mesh.points.emplace_back(0, 0, 0); // that no face uses
-  mesh.colors.push_back({200, 7, 7, 255});
-  const MeshAttributes attributes(mesh, importance);
-  REQUIRE(attributes.size() == 1);
-  auto carried = attributes.carried<2>();
-  const double step = carried[1][0] - carried[0][0];
-  carried[0][0] += 0.4 * step; // to a whole number again
-  carried[1][0] += 2.6 * step;
-  carried[2][0] += 1000 * step;  // beyond all
-  carried[3][0] += 1e-14 * step; // by rounding
-  mesh.points.resize(5);
-  attributes.restore(mesh, carried);
-  std::vector<double> reds;
-  for (const Color& color : mesh.colors) {
-    reds.push_back(color[0]);
-    CHECK(color[1] == 99);
-  }
-  CHECK(reds == std::vector<double>{10, 14, 34, 13, 14});
 }
 
 TEST_CASE("Constant attributes are those of the points that faces use", "[mesh_attributes]") {
@@ -228,12 +140,11 @@ TEST_CASE("Constant attributes are those of the points that faces use", "[mesh_a
   for (auto& triangle : mesh.triangles)
     for (std::uint32_t& corner : triangle)
       ++corner;
-  const MeshAttributes attributes(mesh, importance);
-  CHECK(attributes.size() == 0);
-  mesh.points.resize(3);
-  attributes.restore(mesh);
-  CHECK(mesh.colors == std::vector<Color>(3, {1, 2, 3, 4}));
-  CHECK(mesh.texture_coordinates == std::vector<std::array<double, 2>>(3, {.1, .2}));
+  simplify_channels(mesh, 0.25);
+  REQUIRE(mesh.points.size() < 10);
+  CHECK(mesh.colors == std::vector<Color>(mesh.points.size(), {1, 2, 3, 4}));
+  CHECK(mesh.texture_coordinates ==
+        std::vector<std::array<double, 2>>(mesh.points.size(), {.1, .2}));
 }
 
 TEST_CASE("Numbers of vertices follow them, and labels are of those that there were",
@@ -285,15 +196,17 @@ TEST_CASE("Numbers stay in the range that there was, and more than a few are kep
 
 TEST_CASE("Constant numbers need no channels", "[mesh_attributes]") {
   IndexedMesh mesh = sheet(4);
+  CHECK(needs_channels(mesh));
+  mesh.texture_coordinates.clear();
+  CHECK(needs_channels(mesh));
+  mesh.colors.clear();
   CHECK(!needs_channels(mesh));
   mesh.vertex_numbers = {{"one", single, std::vector<double>(25, 1)}};
   mesh.face_numbers = {{"flags", whole, std::vector<double>(32, 7)}};
   CHECK(!needs_channels(mesh));
-  const MeshAttributes attributes(mesh, importance);
-  auto carried = attributes.carried<6>();
   mesh.points.resize(9);
   mesh.triangles.resize(8);
-  attributes.restore(mesh, carried);
+  resize_constants(mesh);
   CHECK(mesh.vertex_numbers[0].values == std::vector<double>(9, 1));
   CHECK(mesh.face_numbers[0].values == std::vector<double>(8, 7));
   mesh.face_numbers[0].values[3] = 8;

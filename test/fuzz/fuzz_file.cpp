@@ -1,14 +1,10 @@
 // Bytes are a file, the first of them its format: it is refused with an exception, or read, and
 // then simplified with its colours, texture coordinates, normals and parts, written and read again.
-#include "../../examples/products/mesh_io/attributes/mesh_attributes.h"
 #include "../../examples/products/mesh_io/attributes/mesh_channels.h"
 #include "../../examples/products/mesh_io/mesh/split_seams.h"
 #include "../../examples/products/mesh_io/mesh_io.h"
 
-#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
-
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
@@ -88,14 +84,8 @@ void simplify(IndexedMesh& mesh) {
     MeshChannels(mesh).simplify({}, {});
     return;
   }
-  const MeshAttributes attributes(mesh, {0.02, 0.2});
-  std::vector<CarriedAttributes<6>> carried = attributes.carried<6>();
-  quadrille::AttributeQuadric<6> cost;
-  cost.weights.emplace().coordinates.fill(1);
-  quadrille::simplify(
-      mesh.points, mesh.triangles, cost,
-      quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)));
-  attributes.restore(mesh, carried);
+  quadrille::simplify(mesh.points, mesh.triangles);
+  resize_constants(mesh);
 }
 
 } // namespace

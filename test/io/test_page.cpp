@@ -1,5 +1,4 @@
 // What a page holds of a recording: every level of it, and what its vertices and corners have.
-#include "../examples/products/mesh_io/attributes/mesh_attributes.h"
 #include "../examples/products/mesh_io/attributes/mesh_channels.h"
 #include "../examples/products/page/attribute_recorder.h"
 #include "../examples/products/page/file.h"
@@ -184,18 +183,11 @@ float byte_as_light(double byte) {
   return static_cast<float>(linear_light(byte / 255));
 }
 
-TEST_CASE("a page has the colours that a run leaves, as attributes of its cost") {
+TEST_CASE("a page has the colours that a run leaves, as channels") {
   ShownMesh shown = painted_torus();
   Levels levels;
-  const MeshAttributes attributes(shown.mesh, {0.1, 0.1});
-  REQUIRE(attributes.size() == 2);
-  AttributeRecorder recorder(shown, attributes, levels);
-  auto carried = attributes.carried<2>();
-  AttributeQuadric<2> cost;
-  cost.weights.emplace().coordinates.fill(1);
-  simplify(shown.mesh.points, shown.mesh.triangles, cost, FaceCount{100}, record_into(recorder),
-           quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)));
-  attributes.restore(shown.mesh, carried);
+  AttributeRecorder recorder(shown, levels);
+  MeshChannels(shown.mesh).simplify({.faces = 100, .recorder = record_into(recorder)}, {});
 
   const RecordedAttributes recorded = recorder.take();
   LevelArraysBuilder builder(levels, recorded);
@@ -234,7 +226,7 @@ TEST_CASE("a page has the textures and colours that a run leaves, as channels wi
     }
   }
   Levels levels;
-  AttributeRecorder recorder(shown, MeshAttributes(shown.mesh, {0.1, 0.1}), levels);
+  AttributeRecorder recorder(shown, levels);
   MeshChannels(shown.mesh).simplify({.faces = 200, .recorder = record_into(recorder)}, {});
   const RecordedAttributes recorded = recorder.take();
   REQUIRE(recorded.has_colors);

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_EXAMPLES_PAGE_ATTRIBUTE_RECORDER_H
 #define QUADRILLE_EXAMPLES_PAGE_ATTRIBUTE_RECORDER_H
 
-#include "../mesh_io/attributes/mesh_attributes.h"
 #include "../program/position_recorder.h"
 #include "shown_mesh.h"
 #include "track.h"
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,10 +34,8 @@ struct RecordedAttributes {
 class AttributeRecorder {
 public:
   /// Of a run that begins with `shown`.
-  AttributeRecorder(const ShownMesh& shown, const MeshAttributes& attributes,
-                    quadrille::Levels& levels)
-      : positions_(levels), attributes_(attributes.numbers()),
-        has_corner_textures_(!shown.mesh.corner_textures.empty()),
+  AttributeRecorder(const ShownMesh& shown, quadrille::Levels& levels)
+      : positions_(levels), has_corner_textures_(!shown.mesh.corner_textures.empty()),
         has_normals_(!shown.mesh.corner_normals.empty()),
         full_color_(shown.has_linear_colors ? 0 : shown.mesh.color_type.full) {
     const IndexedMesh& mesh = shown.mesh;
@@ -55,10 +51,7 @@ public:
   }
 
   void begin(quadrille::RecordedSurface surface) {
-    if (surface.channels.empty())
-      find_attributes();
-    else
-      find_channels(surface);
+    find_channels(surface);
     for (std::size_t v = 0; v < surface.values.size(); v += surface.width)
       append(std::span(surface.values).subspan(v, surface.width), recorded_.values);
     positions_.begin(std::move(surface));
@@ -80,21 +73,11 @@ public:
   RecordedAttributes take() { return std::move(recorded_); }
 
 private:
-  /// Where one of the numbers of a vertex is, and by which power of two it is multiplied there; or
-  /// what it always is.
+  /// The place of one of the numbers of a vertex, or the value that it always has.
   struct Number {
     std::optional<std::size_t> place;
-    int exponent = 0;
     double constant = 0;
   };
-
-  /// Those that the cost reads stand behind the position.
-  void find_attributes() {
-    for (std::size_t i = 0; i < attributes_.size(); ++i) {
-      numbers_[attributes_[i].index].place = 3 + i;
-      numbers_[attributes_[i].index].exponent = attributes_[i].exponent;
-    }
-  }
 
   /// Of the channels that there are, textures come first, then normals, then colours: see
   /// MeshChannels.
@@ -148,7 +131,7 @@ private:
   void append(std::span<const double> vertex, std::vector<float>& values) const {
     const auto number = [&](std::size_t i) {
       const Number& n = numbers_[i];
-      return n.place ? std::ldexp(vertex[*n.place], -n.exponent) : n.constant;
+      return n.place ? vertex[*n.place] : n.constant;
     };
     for (std::size_t i = 0; i < 3 && recorded_.has_colors; ++i)
       values.push_back(static_cast<float>(light(number(i))));
@@ -163,7 +146,6 @@ private:
   }
 
   PositionRecorder positions_;
-  std::vector<MeshAttributes::Number> attributes_;
   bool has_corner_textures_, has_normals_, has_vertex_textures_, shows_corner_textures_;
   double full_color_;               // 0: linear
   std::array<Number, 6> numbers_{}; // red, green, blue, alpha; texture coordinates

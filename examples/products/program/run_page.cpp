@@ -59,7 +59,7 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
                   .has_labels = !FaceRegions(shown.mesh).labels().empty()};
   if (!options.target.is_given())
     options.target.faces = least_faces_of_page;
-  AttributeRecorder recorder(shown, MeshAttributes(shown.mesh, importance(options)), source.levels);
+  AttributeRecorder recorder(shown, source.levels);
   outcome.report = with_errors_of_file(options, [&] {
     return simplify_mesh(shown.mesh, options, quadrille::record_into(recorder));
   });

@@ -1,7 +1,5 @@
 #include "simplify_mesh.h"
 
-#include <quadrille/attribute_quadric.h>
-
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -22,20 +20,13 @@ quadrille::SoupOptions::Cost cost(const Options& options) {
                                            : Cost::quadric;
 }
 
-/// Does a mesh take the way on which all of its attributes are channels? Attributes as further
-/// dimensions know neither passes nor creases, and what has no attributes goes the same way then.
-bool goes_by_channels(const IndexedMesh& mesh, const Options& options,
-                      const quadrille::SoupOptions& soup) {
-  return options.is_relaxed || options.crease_degrees || options.has_lines_or_noise() ||
-         !options.importances.empty() || !soup.selected.empty() || needs_channels(mesh);
-}
-
-/// Without attributes that vary.
+/// Simplifies a mesh without attributes that vary.
 quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOptions& options,
                                      std::vector<std::size_t>* image) {
   quadrille::SoupPoints points = soup_points(mesh.points);
   const quadrille::Report report = quadrille::simplify_soup(points, mesh.triangles, options, image);
   mesh.points = mesh_points(points);
+  resize_constants(mesh);
   return report;
 }
 
@@ -122,29 +113,14 @@ ChannelChoices channel_choices(const Options& options) {
           .texture_seams = options.seams};
 }
 
-Importance importance(const Options& options) {
-  Importance importance{quadrille::ColorQuadric{}.importance,
-                        quadrille::TextureQuadric{}.importance};
-  if (options.cost == "color")
-    importance.of_textures *= hardly;
-  if (options.cost == "texture")
-    importance.of_colors *= hardly;
-  return importance;
-}
-
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const std::optional<quadrille::SoupRecorder>& recorder,
                                 std::vector<std::size_t>* image) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;
-  if (goes_by_channels(mesh, options, soup))
-    return MeshChannels(mesh).simplify(soup, channel_choices(options), image);
-  const MeshAttributes attributes(mesh, importance(options));
-  if (attributes.size() > 0)
-    return simplify_attributes(attributes, mesh, options, soup, image);
-  const quadrille::Report report = simplify_positions(mesh, soup, image);
-  attributes.restore(mesh);
-  return report;
+  if (!needs_channels(mesh))
+    return simplify_positions(mesh, soup, image);
+  return MeshChannels(mesh).simplify(soup, channel_choices(options), image);
 }
 
 } // namespace quadrille_examples

@@ -4,7 +4,6 @@
 /// \file
 /// Simplifies a mesh as options say.
 
-#include "../mesh_io/attributes/mesh_attributes.h"
 #include "../mesh_io/attributes/mesh_channels.h"
 #include "../mesh_io/mesh/bounding_box.h"
 #include "../mesh_io/mesh_io.h"
@@ -26,12 +25,6 @@ namespace quadrille_examples {
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const std::optional<quadrille::SoupRecorder>& recorder = {},
                                 std::vector<std::size_t>* image = nullptr);
-
-/// Of a mesh without values at corners and without parts, attributes of vertices: by greedy order,
-/// in a source of its own, since each number of attributes takes an engine.
-quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                      const Options& options, const quadrille::SoupOptions& soup,
-                                      std::vector<std::size_t>* image);
 
 /// The numbers of points that have this name; at seams the one that is ahead of the others. Throws
 /// std::invalid_argument where there are none.
@@ -59,10 +52,6 @@ quadrille::SoupOptions soup_options(const Options& options, const auto& points,
 
 /// How much channels count. All do by default; else only those that the cost is asked for by name.
 ChannelChoices channel_choices(const Options& options);
-
-/// How much attributes that are further dimensions count: as AttributeQuadric has it for each kind.
-/// If one is asked for by name, the other hardly counts.
-Importance importance(const Options& options);
 
 /// A message of the library without names of C++.
 std::string in_words_of_program(std::string message);

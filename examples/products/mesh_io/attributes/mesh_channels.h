@@ -34,13 +34,23 @@ struct ChannelChoices {
   std::optional<quadrille::Seams> texture_seams = {};
 };
 
-/// Has a mesh what MeshChannels takes along and MeshAttributes does not?
+/// Returns whether a mesh has anything in addition to positions that differs from place to place.
 inline bool needs_channels(const IndexedMesh& mesh) {
   const auto differ = [](const NamedNumbers& numbers) { return numbers.differ(); };
-  return !mesh.corner_textures.empty() || !mesh.corner_normals.empty() ||
+  return !mesh.colors.empty() || !mesh.texture_coordinates.empty() ||
+         !mesh.corner_textures.empty() || !mesh.corner_normals.empty() ||
          !mesh.value_triangles.empty() || mesh.parts.differ() ||
          std::any_of(mesh.vertex_numbers.begin(), mesh.vertex_numbers.end(), differ) ||
          std::any_of(mesh.face_numbers.begin(), mesh.face_numbers.end(), differ);
+}
+
+/// Fits the numbers of a mesh that needs no channels to the vertices and faces that are left.
+inline void resize_constants(IndexedMesh& mesh) {
+  mesh.parts.of_faces.resize(std::min(mesh.parts.of_faces.size(), mesh.triangles.size()));
+  for (NamedNumbers& numbers : mesh.vertex_numbers)
+    numbers.values.resize(mesh.points.size());
+  for (NamedNumbers& numbers : mesh.face_numbers)
+    numbers.values.resize(mesh.triangles.size());
 }
 
 /// A mesh on its way through `quadrille::simplified_soup`, with what its vertices, its corners and

@@ -16,7 +16,9 @@
 
 namespace quadrille_examples {
 
-/// Values of vertices on their way through `simplify`, as values of corners.
+/// Values of vertices on their way through `simplify`, as values of corners. Values that no weight
+/// makes comparable with lengths are multiplied by a power of two meanwhile, which keeps their
+/// bits.
 template <std::size_t N>
 struct VertexValues {
   VertexValues() = default;
@@ -25,14 +27,24 @@ struct VertexValues {
       return;
     corners.values = std::move(of_points);
     corners.triples = value_triangles(mesh);
+    const double largest = largest_value();
+    if (largest > 0x1p64 || (largest > 0 && largest < 0x1p-64))
+      exponent_ = -std::ilogb(largest);
+    for (std::array<double, N>& value : corners.values)
+      value = scaled(value, exponent_);
   }
 
   bool empty() const { return corners.empty(); }
 
+  /// Returns the value of a corner.
+  std::array<double, N> at(std::size_t face, std::size_t i) const {
+    return scaled(corners.values[corners.triples[face][i]], -exponent_);
+  }
+
   /// Appends those of a corner.
   void append_corner(std::size_t face, std::size_t i, std::vector<double>& row) const {
     if (!empty()) {
-      const std::array<double, N>& value = corners.values[corners.triples[face][i]];
+      const std::array<double, N> value = at(face, i);
       row.insert(row.end(), value.begin(), value.end());
     }
   }
@@ -42,11 +54,28 @@ struct VertexValues {
     std::vector<std::array<double, N>> result(empty() ? 0 : mesh.points.size());
     for (std::size_t face = 0; face < corners.triples.size(); ++face)
       for (std::size_t i = 0; i < 3; ++i)
-        result[mesh.triangles[face][i]] = corners.values[corners.triples[face][i]];
+        result[mesh.triangles[face][i]] = at(face, i);
     return result;
   }
 
   CornerValues<N> corners;
+
+private:
+  static std::array<double, N> scaled(std::array<double, N> value, int exponent) {
+    for (double& x : value)
+      x = std::ldexp(x, exponent);
+    return value;
+  }
+
+  double largest_value() const {
+    double largest = 0;
+    for (const std::array<double, N>& value : corners.values)
+      for (const double x : value)
+        largest = std::max(largest, std::abs(x));
+    return largest;
+  }
+
+  int exponent_ = 0;
 };
 
 /// The named numbers of vertices on their way through `simplify`. The first few that differ and are
@@ -62,7 +91,7 @@ public:
         channels_.emplace_back(components(old_[i].values), mesh);
         ranges_.push_back(channels_.back().corners.triples.empty()
                               ? std::pair(0., 0.)
-                              : range_of(channels_.back().corners));
+                              : range_of(old_[i].values, channels_.back().corners.triples));
       }
   }
 
@@ -89,8 +118,7 @@ public:
                      std::vector<double>& row) const {
     for (std::size_t k = 0; k < old_.size(); ++k)
       if (channel_of_[k]) {
-        const CornerValues<1>& corners = channels_[*channel_of_[k]].corners;
-        row.push_back(restored(k, corners.values[corners.triples[face][i]][0]));
+        row.push_back(restored(k, channels_[*channel_of_[k]].at(face, i)[0]));
       } else {
         row.push_back(old_[k].values[nearest]);
       }
@@ -106,13 +134,15 @@ private:
   }
 
   /// Of the values that faces have: vertices without a face say nothing.
-  static std::pair<double, double> range_of(const CornerValues<1>& corners) {
-    const double first = corners.values[corners.triples[0][0]][0];
+  static std::pair<double, double>
+  range_of(const std::vector<double>& values,
+           const std::vector<std::array<std::uint32_t, 3>>& triples) {
+    const double first = values[triples[0][0]];
     std::pair range(first, first);
-    for (const auto& triple : corners.triples)
+    for (const auto& triple : triples)
       for (const std::uint32_t v : triple) {
-        range.first = std::min(range.first, corners.values[v][0]);
-        range.second = std::max(range.second, corners.values[v][0]);
+        range.first = std::min(range.first, values[v]);
+        range.second = std::max(range.second, values[v]);
       }
     return range;
   }

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_EXAMPLES_WEB_PAGE_SESSION_H
 #define QUADRILLE_EXAMPLES_WEB_PAGE_SESSION_H
 
-#include "../../mesh_io/attributes/mesh_attributes.h"
 #include "../../mesh_io/attributes/mesh_channels.h"
 #include "../../mesh_io/mesh/split_seams.h"
 #include "../../mesh_io/mesh_io.h"
@@ -50,7 +49,7 @@ public:
     PageSource source;
     source.name = name_;
     source.looks = shown_.looks;
-    AttributeRecorder recorder(shown_, MeshAttributes(shown_.mesh, {1, 1}), source.levels);
+    AttributeRecorder recorder(shown_, source.levels);
     IndexedMesh mesh = shown_.mesh;
     quadrille::SoupOptions options = options_of(choices, proceed);
     options.recorder = quadrille::record_into(recorder);
