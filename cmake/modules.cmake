@@ -6,7 +6,7 @@ set(guards_headers distance_limits.h self_intersection.h normal_deviation.h hull
 set(levels_headers level_mesh.h level_steps.h levels.h levels_file.h levels_file_options.h)
 set(cluster_headers cluster.h)
 set(planar_headers planar_patches.h borders.h)
-set(verify_headers calibrated.h distance.h verdict.h verify.h pictures.h)
+set(verify_headers distance.h verdict.h verify.h)
 set(file_headers file.h file_distance.h file_report.h mpi.h)
 set(compiled_headers compiled.h)
 

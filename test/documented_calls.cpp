@@ -1,4 +1,7 @@
 // What the calls in the documents speak of; documented.sh makes the included file of them.
+#include "../examples/products/figures/pictures.h"
+#include "../examples/products/program/calibrated.h"
+
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -10,7 +13,6 @@
 #include <iostream>
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/borders.h>
-#include <quadrille/calibrated.h>
 #include <quadrille/channels.h>
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>
@@ -25,7 +27,6 @@
 #include <quadrille/levels_file.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
-#include <quadrille/pictures.h>
 #include <quadrille/planar_patches.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
@@ -50,6 +51,8 @@ void documented_calls(Mesh& mesh, std::vector<Point>& points,
                       const TextureMap& uv, const MaterialMap& materials,
                       quadrille::Levels& levels) {
   using namespace quadrille;
+  using namespace quadrille_examples;
+  using namespace figures;
   const auto selected = mesh.property_map<Mesh::Face_index, bool>("f:selected").first;
   const auto importance = [](const Vector<3>& place) { return place[2] > 0 ? 4.0 : 1.0; };
 #include "documented_calls.inc"

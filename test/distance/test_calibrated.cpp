@@ -1,9 +1,9 @@
 // A calibrated limit is kept, by another measure, and goes further than the sum of steps.
+#include "../examples/products/program/calibrated.h"
 #include "farthest.h"
 #include "meshes.h"
 #include "soups.h"
 
-#include <quadrille/calibrated.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
@@ -18,6 +18,7 @@
 namespace {
 
 using namespace quadrille;
+using namespace quadrille_examples;
 using test::Mesh;
 
 } // namespace

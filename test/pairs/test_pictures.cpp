@@ -1,8 +1,8 @@
 // Quadrics as ellipsoids and pairs as segments.
+#include "../examples/products/figures/pictures.h"
 #include "meshes.h"
 #include "soups.h"
 
-#include <quadrille/pictures.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
@@ -23,6 +23,7 @@
 namespace {
 
 using namespace quadrille;
+using namespace figures;
 using test::Mesh;
 using test::Position;
 using Form = QuadricForm<3>;

@@ -1,11 +1,11 @@
 #ifndef QUADRILLE_EXAMPLES_FIGURES_FIGURE_8_H
 #define QUADRILLE_EXAMPLES_FIGURES_FIGURE_8_H
 
+#include "pictures.h"
 #include "surfaces.h"
 
 #include <quadrille/distance.h>
 #include <quadrille/parameters.h>
-#include <quadrille/pictures.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
 #include <quadrille/simplify.h>

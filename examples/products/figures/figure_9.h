@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_EXAMPLES_FIGURES_FIGURE_9_H
 #define QUADRILLE_EXAMPLES_FIGURES_FIGURE_9_H
 
+#include "pictures.h"
 #include "surfaces.h"
 
-#include <quadrille/pictures.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace figures {
 struct Figure9 {
   static constexpr double threshold = 0.318;
 
-  std::vector<quadrille::PairSegment<Point>> segments;
+  std::vector<PairSegment<Point>> segments;
 
   explicit Figure9(const fs::path& models)
       : segments(pair_segments(read_model(models, "bones"), quadrille::ThresholdPairs{threshold})) {
@@ -28,7 +28,7 @@ struct Figure9 {
 
   std::size_t count(bool are_edges) const {
     return static_cast<std::size_t>(
-        std::ranges::count(segments, are_edges, &quadrille::PairSegment<Point>::is_edge));
+        std::ranges::count(segments, are_edges, &PairSegment<Point>::is_edge));
   }
 
   void print() const {

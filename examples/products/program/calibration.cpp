@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// It includes <quadrille/calibrated.h>, which includes GPL parts of CGAL.
+// It includes calibrated.h, which includes GPL parts of CGAL.
 #include "calibration.h"
 
 #include "../mesh_io/mesh/bounding_box.h"
-
-#include <quadrille/calibrated.h>
+#include "calibrated.h"
 
 #include <cstddef>
 #include <utility>
@@ -34,8 +33,8 @@ Coarse coarsest(const IndexedMesh& mesh, const Options& options, Run run) {
     return internal::checked_surface("quadrille::calibrated", of.points, of.triangles);
   };
   const double distance = length_of(*options.target.error, diagonal(mesh.points, mesh.triangles));
-  return internal::calibrate(surface_of(mesh), distance, quadrille::Calibration{}, run,
-                             [&](const Coarse& coarse) { return surface_of(coarse.mesh); });
+  return calibrations::calibrate(surface_of(mesh), distance, Calibration{}, run,
+                                 [&](const Coarse& coarse) { return surface_of(coarse.mesh); });
 }
 
 } // namespace

@@ -1,7 +1,8 @@
-// It includes <quadrille/calibrated.h>, which includes GPL parts of CGAL.
+// It includes calibrated.h, which includes GPL parts of CGAL.
 #include "calibration.h"
 
-#include <quadrille/calibrated.h>
+#include "../program/calibrated.h"
+
 #include <quadrille/distance_limits.h>
 
 #include <optional>
@@ -36,8 +37,8 @@ SoupResult calibrated_soup(const SoupView& soup, const SoupOptions& options) {
     is_cancelled = result.report.stop == StopReason::cancelled;
     return result;
   };
-  return internal::calibrate(input, internal::distance_of(limit, input), Calibration{}, run,
-                             surface_of);
+  return calibrations::calibrate(input, calibrations::distance_of(limit, input), Calibration{}, run,
+                                 surface_of);
 }
 
 } // namespace quadrille_examples

@@ -5,8 +5,8 @@
 // Licence: this file is MIT, but it includes quadrille/distance.h and more that includes code
 // of CGAL under GPL-3.0-or-later (or commercial). A program that includes it is bound by its terms.
 
-#ifndef QUADRILLE_CALIBRATED_H
-#define QUADRILLE_CALIBRATED_H
+#ifndef QUADRILLE_EXAMPLES_CALIBRATED_H
+#define QUADRILLE_EXAMPLES_CALIBRATED_H
 
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
@@ -25,23 +25,23 @@
 #include <utility>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille_examples {
 
 /// The result of `calibrated` for a mesh.
 template <class Mesh>
 struct Calibrated {
-  Mesh mesh;         ///< the simplified copy
-  Report report;     ///< the report of its run; Report::hausdorff_bound is the proven bound
-  double factor = 1; ///< the multiple of the limit with which it ran
+  Mesh mesh;                ///< the simplified copy
+  quadrille::Report report; ///< the report of its run; Report::hausdorff_bound is the proven bound
+  double factor = 1;        ///< the multiple of the limit with which it ran
 };
 
 /// The result of `calibrated` for a soup.
 template <class Points, class Triangles>
 struct CalibratedSoup {
-  Points points;       ///< the points of the simplified copy
-  Triangles triangles; ///< the triangles of the simplified copy
-  Report report;       ///< the report of its run; Report::hausdorff_bound is the proven bound
-  double factor = 1;   ///< the multiple of the limit with which it ran
+  Points points;            ///< the points of the simplified copy
+  Triangles triangles;      ///< the triangles of the simplified copy
+  quadrille::Report report; ///< the report of its run; Report::hausdorff_bound is the proven bound
+  double factor = 1;        ///< the multiple of the limit with which it ran
 };
 
 /// Options of the search in calibrated().
@@ -59,7 +59,10 @@ struct Calibration {
   }
 };
 
-namespace internal {
+namespace calibrations {
+
+using namespace quadrille;
+using namespace quadrille::internal;
 
 /// Returns a bound on the distance of the two surfaces that is at most `error` too large, if both
 /// are proven to be within `distance` of each other; otherwise infinity. Samples reject surfaces
@@ -113,12 +116,11 @@ auto calibrate(const SurfaceView& input, double distance, const Calibration& cal
 
 /// Returns the distance that a limit allows for a surface.
 inline double distance_of(const HausdorffLimit& limit, const SurfaceView& surface) {
-  return limit.distance(surface.triangles.empty() ? 0 : diagonal(box_of(surface)));
+  return limit.distance(surface.triangles.empty() ? 0
+                                                  : quadrille::internal::diagonal(box_of(surface)));
 }
 
-} // namespace internal
-
-inline namespace QUADRILLE_THREADING {
+} // namespace calibrations
 
 /// Returns a simplified copy of a mesh that is within a limit in both directions, with about as few
 /// faces as possible. Measuring proves the limit; the bound is not accumulated.
@@ -133,70 +135,69 @@ inline namespace QUADRILLE_THREADING {
 /// Complexity: up to log₂ of the largest factor + refinements + 1 runs, and as many measurements,
 /// which take longer. Throws whatever `simplified` throws, and std::invalid_argument for a surface
 /// that cannot be measured: see verify().
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
-          class... Arguments>
-requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
-                                                               HausdorffLimit limit,
-                                                               const Calibration& calibration,
-                                                               const Arguments&... arguments) {
+template <class Cost = quadrille::internal::NotGiven,
+          class Placement = quadrille::internal::NotGiven, class Mesh, class... Arguments>
+requires quadrille::internal::FaceGraph<Mesh> Calibrated<Mesh>
+calibrated(const Mesh& mesh, quadrille::HausdorffLimit limit, const Calibration& calibration,
+           const Arguments&... arguments) {
   limit.validate();
   calibration.validate();
   const auto surface_of = [](const Mesh& of) {
-    return internal::checked_surface("quadrille::calibrated", of);
+    return quadrille::internal::checked_surface("quadrille::calibrated", of);
   };
-  const TriangleSoup<> input = surface_of(mesh);
-  return internal::calibrate(
-      input, internal::distance_of(limit, input), calibration,
+  const quadrille::TriangleSoup<> input = surface_of(mesh);
+  return calibrations::calibrate(
+      input, calibrations::distance_of(limit, input), calibration,
       [&](double factor) {
         auto [coarse, report] =
-            simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
+            quadrille::simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
         return Calibrated<Mesh>{std::move(coarse), report, factor};
       },
       [&](const Calibrated<Mesh>& coarse) { return surface_of(coarse.mesh); });
 }
 
 /// Runs with the default calibration.
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh>
-requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
-                                                               HausdorffLimit limit) {
+template <class Cost = quadrille::internal::NotGiven,
+          class Placement = quadrille::internal::NotGiven, class Mesh>
+requires quadrille::internal::FaceGraph<Mesh> Calibrated<Mesh>
+calibrated(const Mesh& mesh, quadrille::HausdorffLimit limit) {
   return calibrated<Cost, Placement>(mesh, limit, Calibration{});
 }
 
 /// Calibrates a soup, which may be non-manifold: points with x(), y() and z(), or three numbers by
 /// index, and triples of indices. Pass no maps or vectors of channels and labels: each run would
 /// write to them.
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
-          class Triangles, class... Arguments>
-requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
-calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit,
+template <class Cost = quadrille::internal::NotGiven,
+          class Placement = quadrille::internal::NotGiven, class Points, class Triangles,
+          class... Arguments>
+requires quadrille::internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+calibrated(const Points& points, const Triangles& triangles, quadrille::HausdorffLimit limit,
            const Calibration& calibration, const Arguments&... arguments) {
   limit.validate();
   calibration.validate();
   const auto surface_of = [](const Points& of_points, const Triangles& of_triangles) {
-    return internal::checked_surface("quadrille::calibrated", of_points, of_triangles);
+    return quadrille::internal::checked_surface("quadrille::calibrated", of_points, of_triangles);
   };
-  const TriangleSoup<> input = surface_of(points, triangles);
+  const quadrille::TriangleSoup<> input = surface_of(points, triangles);
   using Coarse = CalibratedSoup<Points, Triangles>;
-  return internal::calibrate(
-      input, internal::distance_of(limit, input), calibration,
+  return calibrations::calibrate(
+      input, calibrations::distance_of(limit, input), calibration,
       [&](double factor) {
-        auto [p, t, report] =
-            simplified<Cost, Placement>(points, triangles, limit.times(factor), arguments...);
+        auto [p, t, report] = quadrille::simplified<Cost, Placement>(
+            points, triangles, limit.times(factor), arguments...);
         return Coarse{std::move(p), std::move(t), report, factor};
       },
       [&](const Coarse& coarse) { return surface_of(coarse.points, coarse.triangles); });
 }
 
 /// Runs on a soup with the default calibration.
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
-          class Triangles>
-requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
-calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit) {
+template <class Cost = quadrille::internal::NotGiven,
+          class Placement = quadrille::internal::NotGiven, class Points, class Triangles>
+requires quadrille::internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+calibrated(const Points& points, const Triangles& triangles, quadrille::HausdorffLimit limit) {
   return calibrated<Cost, Placement>(points, triangles, limit, Calibration{});
 }
 
-} // namespace QUADRILLE_THREADING
+} // namespace quadrille_examples
 
-} // namespace quadrille
-
-#endif // QUADRILLE_CALIBRATED_H
+#endif // QUADRILLE_EXAMPLES_CALIBRATED_H

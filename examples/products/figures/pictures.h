@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_PICTURES_H
-#define QUADRILLE_PICTURES_H
+#ifndef QUADRILLE_EXAMPLES_PICTURES_H
+#define QUADRILLE_EXAMPLES_PICTURES_H
 
 #include <quadrille/concepts.h>
 #include <quadrille/internal/core/base/index.h>
@@ -28,9 +28,9 @@
 /// \file
 /// The shapes that can be drawn of a simplification in addition to its surfaces: quadrics, as
 /// ellipsoids, and the pairs that a policy selects, as segments. This header computes shapes, and
-/// leaves it to the caller to draw them. <quadrille/simplify.h> does not include it.
+/// leaves it to the caller to draw them.
 
-namespace quadrille {
+namespace figures {
 
 /// How quadric_ellipsoids() makes an ellipsoid of a quadric.
 struct EllipsoidShape {
@@ -52,7 +52,10 @@ struct PairSegment {
   bool is_edge;                          ///< of the surface
 };
 
-namespace internal {
+namespace pictures {
+
+using namespace quadrille;
+using namespace quadrille::internal;
 
 /// Three vectors that the linear map to which they belong takes the unit sphere with to the
 /// ellipsoid xᵀAx = 1: they are orthonormal as A measures. No eigenvalue of A is below `least`.
@@ -183,7 +186,7 @@ std::vector<PairSegment<Point>> pair_segments(const SurfaceView& surface, const 
   return segments;
 }
 
-} // namespace internal
+} // namespace pictures
 
 /// For each vertex an ellipsoid around it that shows its quadric: thin across the surface, wide
 /// along it where it is flat, long along its creases.
@@ -197,11 +200,11 @@ std::vector<PairSegment<Point>> pair_segments(const SurfaceView& surface, const 
 /// finite.
 /// Source: Garland and Heckbert 1997, section 4 and the figure of the error ellipsoids.
 template <class Mesh, class QuadricMap>
-requires internal::ReadableGraph<Mesh>
+requires quadrille::internal::ReadableGraph<Mesh>
 auto quadric_ellipsoids(const Mesh& mesh, const QuadricMap& quadrics, const EllipsoidShape& shape) {
   const auto points = get(CGAL::vertex_point, mesh);
   using Point = typename boost::property_traits<decltype(points)>::value_type;
-  internal::EllipsoidMaker<Point> maker(shape);
+  pictures::EllipsoidMaker<Point> maker(shape);
   for (const auto v : vertices(mesh))
     maker.add(get(points, v), get(quadrics, v));
   return maker.ellipsoids;
@@ -210,14 +213,13 @@ auto quadric_ellipsoids(const Mesh& mesh, const QuadricMap& quadrics, const Elli
 /// Returns ellipsoids for the points of a soup; `quadrics` is a random access range of at least as
 /// many `QuadricForm<3>`. Throws std::invalid_argument if it has fewer.
 template <std::ranges::random_access_range Points, std::ranges::random_access_range Quadrics>
-requires(!internal::ReadableGraph<Points>) auto quadric_ellipsoids(const Points& points,
-                                                                   const Quadrics& quadrics,
-                                                                   const EllipsoidShape& shape) {
+requires(!quadrille::internal::ReadableGraph<Points>) auto quadric_ellipsoids(
+    const Points& points, const Quadrics& quadrics, const EllipsoidShape& shape) {
   if (std::ranges::size(quadrics) < std::ranges::size(points))
     throw std::invalid_argument("quadrille::quadric_ellipsoids: there are " +
                                 std::to_string(std::ranges::size(quadrics)) + " quadrics for " +
                                 std::to_string(std::ranges::size(points)) + " points");
-  internal::EllipsoidMaker<std::ranges::range_value_t<Points>> maker(shape);
+  pictures::EllipsoidMaker<std::ranges::range_value_t<Points>> maker(shape);
   for (std::size_t v = 0; v < std::ranges::size(points); ++v)
     maker.add(points[v], quadrics[v]);
   return maker.ellipsoids;
@@ -234,23 +236,23 @@ requires(!internal::ReadableGraph<Points>) auto quadric_ellipsoids(const Points&
 /// Throws std::invalid_argument for a face that is not a triangle, a point that is not finite, and
 /// what the policy refuses.
 /// Source: Garland and Heckbert 1997, section 3.2 and the figure of the pairs of a foot.
-template <class Mesh, PairPolicy Pairs>
-requires internal::ReadableGraph<Mesh>
+template <class Mesh, quadrille::PairPolicy Pairs>
+requires quadrille::internal::ReadableGraph<Mesh>
 auto pair_segments(const Mesh& mesh, const Pairs& pairs) {
   using Points = typename boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
-  return internal::pair_segments<typename boost::property_traits<Points>::value_type>(
-      internal::read_surface("quadrille::pair_segments", mesh), pairs);
+  return pictures::pair_segments<typename boost::property_traits<Points>::value_type>(
+      quadrille::internal::read_surface("quadrille::pair_segments", mesh), pairs);
 }
 
 /// Returns them for a soup. Throws std::invalid_argument also for a triangle that names a point
 /// that does not exist.
 template <std::ranges::random_access_range Points, std::ranges::input_range Triangles,
-          PairPolicy Pairs>
+          quadrille::PairPolicy Pairs>
 auto pair_segments(const Points& points, const Triangles& triangles, const Pairs& pairs) {
-  return internal::pair_segments<std::ranges::range_value_t<Points>>(
-      internal::read_surface("quadrille::pair_segments", points, triangles), pairs);
+  return pictures::pair_segments<std::ranges::range_value_t<Points>>(
+      quadrille::internal::read_surface("quadrille::pair_segments", points, triangles), pairs);
 }
 
-} // namespace quadrille
+} // namespace figures
 
-#endif // QUADRILLE_PICTURES_H
+#endif // QUADRILLE_EXAMPLES_PICTURES_H
