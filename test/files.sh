@@ -307,13 +307,13 @@ small_files() {
   fi
   if has hard_edges_split.ply; then # split for normals only
     run out.off --ratio 0.3
-    grep -q 'vertices welded to another at the same place: 196' "$work/stderr" || fail "no remark on what was welded"
+    grep -q 'vertices merged with another one at the same place: 196' "$work/stderr" || fail "no remark on what was welded"
     if grep -q 'cracks may open' "$work/stderr"; then fail "a seam is left"; fi
   fi
   for name in split_seam.off; do
     has $name || continue
     run out.off
-    grep -q 'vertices welded to another at the same place: 117' "$work/stderr" || fail "the seam and the poles are not sewn"
+    grep -q 'vertices merged with another one at the same place: 117' "$work/stderr" || fail "the seam and the poles are not sewn"
     if grep -q 'cracks may open' "$work/stderr"; then fail "a remark on a seam that is none"; fi
     run again.off
     [ $status -eq 0 ] || fail "exit status $status"

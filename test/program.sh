@@ -87,7 +87,7 @@ run 0 plain.off out.off --vertices 50
 run 0 plain.off out.off --ratio 1
 expect_faces out.off 800
 run 0 plain.off out.off --faces 5000
-expect stdout ' of the diagonal: IN meets the target already$'
+expect stdout ' of the diagonal: IN already meets the target$'
 run 0 plain.off out.off --error 0.05
 expect stdout ', no point of OUT is further than 0\.1[0-9]* % of the diagonal from IN$'
 run 0 plain.off out.off --error 1e300
@@ -115,10 +115,10 @@ awk 'BEGIN {
   }
 }' >parts.off
 run 1 parts.off out.off --faces 8
-expect stderr '^out.off: 10 parts are left, and each keeps some faces: --pairs'
+expect stderr '^out.off: 10 components are left, and each keeps some faces: --pairs'
 expect_faces out.off 40
 run 0 parts.off out.off --faces 8 --drop-parts
-expect stdout '8 small parts vanished, the largest 0\.21 % of the diagonal'
+expect stdout '8 small components vanished, the largest of size 0\.21 % of the diagonal'
 expect_nothing stderr
 expect_faces out.off 8
 expect out.off '^1 0 0'
@@ -128,10 +128,10 @@ run 0 parts.off parts.ply --keep 100%
 run 0 parts.off parts.obj --keep 100%
 for parts in parts.ply parts.obj; do
   run 0 $parts out.off --faces 8
-  expect stdout '8 small parts vanished'
+  expect stdout '8 small components vanished'
   expect_faces out.off 8
   run 1 $parts out.off --faces 8 --keep-parts
-  expect stderr '^out.off: 10 parts are left, and each keeps some faces: --pairs joins'
+  expect stderr '^out.off: 10 components are left, and each keeps some faces: --pairs joins'
   if grep -q 'with --drop-parts' stderr; then fail "what vanishes there is far from what stays"; fi
   expect_faces out.off 40
   run 1 $parts out.off --faces 8 --topology kept
@@ -139,7 +139,7 @@ for parts in parts.ply parts.obj; do
   run 2 $parts out.off --faces 8 --keep-parts --drop-parts
 done
 run 0 parts.off out.off --error 0.2 --drop-parts
-expect stdout '9 small parts vanished'
+expect stdout '9 small components vanished'
 run 0 parts.off out.off --error 0.1 --drop-parts
 expect_faces out.off 40
 run 1 parts.off out.off --faces 0 --drop-parts
@@ -169,7 +169,7 @@ awk 'BEGIN {
   }
 }' >gravel.off
 run 1 gravel.off out.off --faces 150
-expect stderr '^out.off: with --drop-parts it comes to 150 faces, error about [0-9.]* % .*small parts vanished'
+expect stderr '^out.off: with --drop-parts the result has 150 faces, error about [0-9.]* % .*small components vanished'
 run 0 gravel.off out.off --faces 150 --drop-parts
 # Labels of faces do not go with small parts by default, materials do
 for number in label texnumber; do
@@ -181,10 +181,10 @@ for number in label texnumber; do
   NR > 2 { print $0 (NR > points + 2 ? " " ($2 >= ground) : "") }' gravel.off >$number.ply
 done
 run 1 label.ply out.ply --faces 150
-expect stderr '^out.ply: with --drop-parts it comes to 150 faces, error about [0-9.]* % .*small parts vanished'
+expect stderr '^out.ply: with --drop-parts the result has 150 faces, error about [0-9.]* % .*small components vanished'
 run 0 label.ply out.ply --faces 150 --drop-parts
 run 0 texnumber.ply out.ply --faces 150
-expect stdout 'small parts vanished'
+expect stdout 'small components vanished'
 
 # Files with nothing in them
 printf 'OFF\n0 0 0\n' >none.off
@@ -195,7 +195,7 @@ printf 'GOCAD TSurf 1\nHEADER {\nname: nothing\n}\nTFACE\nEND\n' >none.ts
 for format in off obj ply stl ts; do
   cp plain.off out.$format
   run 2 none.$format out.$format
-  expect stderr "^none.$format: nothing to simplify: no face of three different vertices, 0 vertices"
+  expect stderr "^none.$format: nothing to simplify: it has 0 vertices.* and no face with three different vertices$"
   cmp -s plain.off out.$format || fail "out.$format has changed"
 done
 for options in '' '--pairs 1' '--cost memoryless' '--cost length' '--weld'; do
@@ -294,7 +294,7 @@ done
 printf 'COFF\n6 2 0\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n1 0 0 0 0 255\n1 1 0 0 0 255\n0 1 0 0 0 255
 3 0 1 2\n3 3 4 5\n' >loose.off
 run 0 --ratio 1 loose.off out.off
-expect stderr '^loose.off: vertices welded to another at the same place: 2$'
+expect stderr '^loose.off: vertices merged with another one at the same place: 2$'
 [ "$(vertices out.off | sort)" = "$(vertices loose.off | sort)" ] || fail "other vertices"
 run 0 --ratio 1 --weld loose.off out.off
 [ "$(vertices out.off | sort)" = "$(vertices loose.off | sort)" ] || fail "other vertices"
@@ -318,7 +318,7 @@ awk 'BEGIN {
   }
 }' >halves.off
 run 0 halves.off out.off
-expect stderr '^halves.off: vertices welded to another at the same place: 24$'
+expect stderr '^halves.off: vertices merged with another one at the same place: 24$'
 [ "$(wc -l <stderr)" -eq 1 ] || fail "more than one remark"
 run 0 out.off again.off
 expect_nothing stderr
@@ -329,11 +329,11 @@ expect_faces out.off 100
 # Units of colours
 printf 'COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n3 0 1 2\n' >zero_one.off
 run 0 --ratio 1 zero_one.off out.off
-expect stderr '^zero_one.off: colours of whole numbers 0 and 1 are taken as fractions$'
+expect stderr '^zero_one.off: colours that are all 0 or 1 are taken as fractions$'
 expect out.off '^1 0 0 0\.0 1\.0 0\.0 1\.0$'
 printf 'COFF\n3 1 0\n0 0 0 .5 .5 .5\n1 0 0 .9 .9 .9\n0 1 0 1.0001 .5 .5\n3 0 1 2\n' >above_one.off
 run 0 --ratio 1 above_one.off out.off
-expect stderr '^above_one.off: colours are taken as fractions; numbers above 1.*: 1$'
+expect stderr '^above_one.off: colours are taken as fractions; values above 1.*: 1$'
 expect out.off '^0 1 0 1\.0001 0\.5 0\.5$'
 
 # What a file has and the result has not is told in one line, and only then.
@@ -437,7 +437,7 @@ mkdir elsewhere
 printf 'newmtl b\n' >elsewhere/a.mtl
 printf 'mtllib a.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >elsewhere/a.obj
 run 0 --keep 100% elsewhere/a.obj out.obj
-expect stderr "^elsewhere/a.obj: OUT names the material file 'a.mtl', which is not in its folder: copy it there, with its images$"
+expect stderr "^elsewhere/a.obj: OUT refers to the material file 'a.mtl', which is not in its folder: copy it there with its images$"
 for quiet in 'elsewhere/a.obj elsewhere/out.obj' 'elsewhere/a.obj out.off' 'parts.obj elsewhere/out.obj'; do
   # shellcheck disable=SC2086
   run 0 --keep 100% $quiet
@@ -537,11 +537,11 @@ for list in 50%,50% 25%,50% 100,200 50%,400 ,50% 50%, 50%,,25% 110% -1 x 5.5 nan
 done
 run 2 plain.off bad.off --levels ''
 run 2 plain.off bad.off --levels 50%,400
-expect stderr '^--levels: 400 is not coarser than 50% before it, of 800 faces$'
+expect stderr '^--levels: 400 is not coarser than 50% before it \(IN has 800 faces\)$'
 run 2 plain.off bad.off --levels error=1%,error=0.5%
 expect stderr '^--levels: error=0.5% is not coarser than error=1% before it'
 run 2 plain.off bad.off --levels 50%,error=1%
-expect stderr '^--levels: error=1% is not of the kind of 50% before it'
+expect stderr '^--levels: error=1% is not of the same kind as 50% before it'
 run 0 plain.off far.off --levels error=0.5%,error=5% --verify
 expect stdout '^far-1.off: verified: distance of the result from the input: .* promised'
 expect stdout '^far-2.off: verified: distance of the result from the input: .* promised'
@@ -586,7 +586,7 @@ done
 run 0 --from record.qlv - --format off --faces 800
 expect_same stdout expected.off
 expect stderr '^record.qlv: 800 -> 800 faces'
-expect stderr ', (error about|no point of OUT is further than) [0-9.e-]+ in units of the mesh( from IN(, nor of IN from OUT)?)?$'
+expect stderr ', (error about|no point of OUT is further than) [0-9.e-]+ in units of the mesh( from IN(, and no point of IN further than that from OUT)?)?$'
 run 1 --from record.qlv out.off --faces 3
 expect stderr '^out.off: the target was not reached: no pair left$'
 expect_ratio out.off 80
@@ -623,7 +623,7 @@ expect stderr '^parts.ply: the record contains positions only$'
 
 # Distances are in the record of a run that asks for them
 run 2 --from record.qlv out.off --error 0.1
-expect stderr '^record.qlv: the record knows no distances for --error'
+expect stderr '^record.qlv: the record contains no distances for --error'
 run 0 --error 0.05 plain.off expected.off
 run 0 --error 0.05 --record record.qlv plain.off out.off
 expect_same out.off expected.off
@@ -683,9 +683,9 @@ expect_nothing stderr
 run 0 --quiet out.ply expected.ply
 cmp -s again.ply expected.ply || fail "another result from PLY"
 run 2 - out.off
-expect stderr '^-: (its name tells no format: pass --format|the file is empty)$'
+expect stderr '^-: (its name does not show its format: pass --format|the file is empty)$'
 run 2 plain.off -
-expect stderr '^-: its name tells no format: pass --format$'
+expect stderr '^-: its name does not show its format: pass --format$'
 run 2 --format xyz plain.off -
 cp plain.off plain
 run 0 --format off plain out
@@ -719,19 +719,19 @@ expect_usage_error() { # message, arguments...
 }
 expect_usage_error '^there is no option --face; did you mean --faces\?$' --face 9 plain.off out.off
 expect_usage_error '^there is no option --kep; did you mean --keep\?$' plain.off out.off --kep=10%
-expect_usage_error '^there is no option --unknown; --help lists all$' --unknown plain.off out.off
-expect_usage_error "^'25%': one word too many; did you mean --keep 25%\? Items of a list have commas between them$" \
+expect_usage_error '^there is no option --unknown; --help lists all options$' --unknown plain.off out.off
+expect_usage_error "^'25%': unexpected argument; did you mean --keep 25%\? Separate the items of a list by commas$" \
   plain.off out.off --levels 50% 25%
 expect_usage_error "'10%' is not a count; --keep takes a fraction of the faces$" --faces 10% plain.off out.off
-expect_usage_error "'5mm' is not a distance: a number in the units of IN, or 0.1% for" --error 5mm plain.off out.off
+expect_usage_error "'5mm' is not a distance, which is a number in the units of IN" --error 5mm plain.off out.off
 expect_usage_error "'1k' is not a count in digits only: did you mean 1000\?$" --faces 1k plain.off out.off
 expect_usage_error "'1,500' is not a count in digits only: did you mean 1500\?$" --vertices 1,500 plain.off out.off
-expect_usage_error "--seams: 'keep' is none of kept, soft, priced, free$" --seams keep plain.off out.off
+expect_usage_error "--seams: 'keep' is not one of kept, soft, priced, free$" --seams keep plain.off out.off
 expect_usage_error '^there is no option --reduction; --keep takes' plain.off out.off --reduction 0.9
 expect_usage_error '^there is no option --quite; did you mean --quiet\?$' plain.off out.off --quite
 expect_usage_error '^there is no option --xost; did you mean --cost\?$' plain.off out.off --xost quadric
-expect_usage_error "^'100': one word too many; did you mean --faces 100\?$" plain.off out.off 100
-expect_usage_error "^'c.off': there is one IN and one OUT; --into FOLDER takes several files$" plain.off out.off c.off
+expect_usage_error "^'100': unexpected argument; did you mean --faces 100\?$" plain.off out.off 100
+expect_usage_error "^'c.off': unexpected argument after IN and OUT; --into FOLDER simplifies several files$" plain.off out.off c.off
 run 2 plain.off out.off --pairs 1000
 expect stderr '^plain.off: about [0-9]+ pairs of vertices are closer than 1000, more than the limit of 64 a vertex$'
 run 0 --help
@@ -763,9 +763,9 @@ expect_ratio results/new/sheet.off 80
 run 0 plain.off --into results --out-format ply
 [ -s results/plain.ply ] || fail "no PLY"
 run 2 plain.off second.off --into .
-expect stderr '^plain.off: it lies in the folder of --into, and its result would replace it$'
+expect stderr '^plain.off: it is in the folder of --into, so its result would replace it$'
 run 2 plain.off results/new/plain.off --into results
-expect stderr '^results/new/plain.off: two files would go to results/plain.off$'
+expect stderr '^results/new/plain.off: two results would be written to results/plain.off$'
 run 2 plain.off second.off --into results --report report.json
 expect stderr '^--into is for several results'
 
@@ -773,7 +773,7 @@ expect stderr '^--into is for several results'
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >quad.off
 run 1 quad.off out.off
 expect_faces out.off 2
-expect stderr '^out.off: parts of two faces are left as they are: --faces or --keep asks for fewer$'
+expect stderr '^out.off: components of two faces are kept by default: --faces or --keep asks for fewer$'
 run 0 quad.off out.off --faces 1
 expect_faces out.off 1
 printf 'v 9 9 0\nv 10 9 0\nv 10 10 0\nv 9 10 0\n' >quad_and_box.obj
@@ -789,7 +789,7 @@ cp plain.off out.off
 for bad in point.off lines.obj degenerate.off; do
   run 2 $bad out.off
   expect_nothing stdout
-  expect stderr "^$bad: nothing to simplify: no face of three different vertices, [13] vertices(, but lines)?$"
+  expect stderr "^$bad: nothing to simplify: it has [13] vertices(, lines)? and no face with three different vertices$"
   cmp -s plain.off out.off || fail "out.off has changed"
 done
 
@@ -800,7 +800,7 @@ cmp -s plain.off out.off || fail "out.off has changed"
 run 2 missing.off out.off
 expect stderr '^missing.off: no such file$'
 run 2 plain.off out.xyz
-expect stderr "^out.xyz: the extension '.xyz' is none of"
+expect stderr "^out.xyz: the extension '.xyz' is not one of"
 run 2 plain.off missing/out.off
 expect stderr '^missing/out.off: there is no folder missing$'
 run 2 . out.off
@@ -983,17 +983,17 @@ expect stdout 'verified: distance of the result from the input: [0-9.e-]+ promis
   fail "of glTF, a limit that is measured leaves as many faces as one that is added up"
 # What is promised is about the files: welding counts, and so do floats of OUT
 run 2 ball.off out.off --weld 20% --error 1%
-expect stderr '^ball.off: before anything is simplified, it is up to [0-9.]+ from the file, by --weld or by the numbers of OUT, and --error allows '
+expect stderr '^ball.off: --weld or the precision of OUT moves points by up to [0-9.]+ before the simplification begins, and --error allows '
 run 0 ball.off out.off --weld 1% --error 3% --both-ways --verify
 run 2 ball.glb out.off --weld 1% --error 3%
-expect stderr '^ball.glb: --weld is not for glTF, of which vertices are one anyway where edges of faces meet at exactly the same place$'
+expect stderr '^ball.glb: --weld does not go with glTF, where vertices are merged anyway where edges of faces coincide$'
 run 0 ball.off ball.gltf --keep 100%
 sed 's/"nodes":\[{/"nodes":[{"translation":[300000.3,0,0],/' ball.gltf >far.gltf
 run 2 far.gltf out.stl --error 0.1%
-expect stderr '^far.gltf: before anything is simplified, it is up to 0.01[0-9]* from the file'
+expect stderr '^far.gltf: --weld or the precision of OUT moves points by up to 0.01[0-9]* before '
 run 0 far.gltf out.stl --error 1% --both-ways --verify
 run 2 ball.off out.html --error 2% --both-ways --calibrated
-expect stderr '^out.html: a page shows what one run has recorded, and --calibrated runs several times$'
+expect stderr '^out.html: a page shows a single recorded run, and --calibrated needs several$'
 run 2 ball.off out.off --error 2% --both-ways --calibrated --record out.qlv
 expect stderr '^--calibrated does not go with --record'
 # Another placement is named where it comes nearer: three shells close to each other
@@ -1010,7 +1010,7 @@ END {
   }
 }' ball.off >shells.off
 run 1 shells.off out.off --no-self-intersection --faces 12 --placement midpoint
-expect stderr '^out.off: with --placement (endpoint|optimal) it comes to [0-9]* faces, error about [0-9.]* % of the diagonal$'
+expect stderr '^out.off: with --placement (endpoint|optimal) the result has [0-9]* faces, error about [0-9.]* % of the diagonal$'
 run 0 --solid --verify --faces 100 ball.off out.off
 expect stdout ', 0 -> 0 pairs of faces intersect, [0-9.]+ % of the volume$'
 expect stdout 'verified: .*; parts: 1 promised, 1 measured; .*; parts that lie in others than before: 0 promised, 0 measured$'
@@ -1024,7 +1024,7 @@ expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ meas
 grep -q '"normal_bound_degrees": [0-9]' out.json || fail "no figures of normals"
 run 2 ball.off out.off --normals 0
 run 2 plain.off out.off --verify
-expect stderr '^--verify needs something that is promised'
+expect stderr '^--verify needs a promise to check'
 run 2 plain.off out.off --no-self-intersection --order relaxed
 expect stderr '^--no-self-intersection does not go with --order relaxed'
 
@@ -1040,7 +1040,7 @@ run 0 sheet.off out.off --boundary lock --faces 200
 [ "$(awk 'NF == 8 && ($1 == 0 || $1 == 20 || $2 == 0 || $2 == 20)' out.off | wc -l)" -eq 80 ] ||
   fail "not all vertices of the boundary are left"
 run 1 plain.off out.off --boundary lock --faces 20
-expect stderr '^out.off: the boundary is locked \([0-9,]+ contractions refused\): --boundary WEIGHT'
+expect stderr '^out.off: the boundary is locked \([0-9,]+ contractions rejected\): --boundary WEIGHT'
 run 0 plain.off out.off --boundary 0 --faces 200
 run 0 plain.off again.off --faces 200
 cmp -s out.off again.off && fail "--boundary 0 does nothing"
@@ -1091,9 +1091,9 @@ awk 'NR == 2 { vertices = $1 } NR > 2 && NF == 3 && NR <= 2 + vertices { ++side[
 run 0 detail.ply out.ply --importance detail --faces 300
 grep -q '^property float detail' out.ply || fail 'the scalar is gone'
 run 2 detail.ply out.off --importance heat
-expect stderr "^detail.ply: the vertices of IN have no scalar 'heat', but 'detail'"
+expect stderr "^detail.ply: the vertices of IN have no scalar 'heat'; they have 'detail'"
 run 2 roof.off out.off --importance heat
-expect stderr "^roof.off: the vertices of IN have no scalar 'heat', nor any other"
+expect stderr "^roof.off: the vertices of IN have no scalar 'heat'; they have none"
 sed '11,1691s/ 64$/ -1/' detail.ply >wrong.ply
 run 2 wrong.ply out.off --importance detail
 expect stderr '^wrong.ply: .*the importance of vertex [0-9]*, -1, is negative or not finite'
@@ -1131,9 +1131,9 @@ expect stderr "is not a list of names"
 run 2 labels.ply out.off --region label=4
 expect stderr '^labels.ply: no face of IN is in the region'
 run 2 labels.ply out.off --region head,label
-expect stderr "^labels.ply: the faces of IN have no 'head', but 'label'"
+expect stderr "^labels.ply: the faces of IN have no 'head'; they have 'label'"
 run 2 roof.off out.off --region head
-expect stderr "^roof.off: the faces of IN have no 'head', nor any name"
+expect stderr "^roof.off: the faces of IN have no 'head'; they have no names"
 awk '/^element vertex/ { n = $3 } /^end_header/ { body = 1; next } !body { next }
   v < n { print "v", $0; ++v; next }
   $5 != last { print "g side" $5; last = $5 } { print "f", $2 + 1, $3 + 1, $4 + 1 }' labels.ply >sides.obj
@@ -1152,9 +1152,9 @@ awk 'BEGIN {
   for (f = 0; f < n * n; ++f) print 4, 4 * f, 4 * f + 1, 4 * f + 2, 4 * f + 3
 }' >loose_quads.off
 run 1 loose_quads.off out.off --faces 50
-expect stderr '^out.off: 100 parts are left.*--weld TOLERANCE'
+expect stderr '^out.off: 100 components are left.*--weld TOLERANCE'
 run 0 loose_quads.off out.off --faces 50 --weld 1e-6
-expect stderr '^loose_quads.off: vertices welded to another at the same place: 279$'
+expect stderr '^loose_quads.off: vertices merged with another one at the same place: 279$'
 expect_faces out.off 50
 cp out.off welded.off
 run 0 loose_quads.off out.off --faces 50 --weld=1e-5%
@@ -1166,10 +1166,10 @@ cmp -s out.off welded.off || fail "another result with another order of words"
 # beside a tetrahedron of which all are wound alike
 printf 'OFF\n10 12 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n5 0 0\n6 0 0\n5 1 0\n5 0 1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 0 2 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n3 6 8 7\n3 6 7 9\n3 7 8 9\n3 8 6 9\n' >turned.off
 run 0 turned.off out.off --faces 12
-expect stderr '^turned.off: faces wound against their neighbours \(--orient makes them agree.*\): 1$'
+expect stderr '^turned.off: faces wound against their neighbours \(--orient turns them.*\): 1$'
 expect out.off '^3 0 2 5$'
 run 0 turned.off out.off --faces 12 --orient
-expect stderr '^turned.off: faces turned, so that neighbours are wound alike: 1$'
+expect stderr '^turned.off: faces turned to agree with their neighbours: 1$'
 expect out.off '^3 0 5 2$'
 expect out.off '^3 6 8 7$'
 run 0 --orient out.off again.off --faces 12
@@ -1181,7 +1181,7 @@ cmp -s out.off again.off || fail "another result with --quiet"
 # What is at the corners of a face turns with it, and it stays in its material
 printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\nusemtl blue\nf 1/1 4/4 3/3\n' >turned.obj
 run 0 turned.obj out.obj --faces 2 --orient
-expect stderr '^turned.obj: faces turned, so that neighbours are wound alike: 1$'
+expect stderr '^turned.obj: faces turned to agree with their neighbours: 1$'
 expect out.obj '^f 1/[0-9]+ 3/[0-9]+ 4/[0-9]+$'
 awk '/^vt/ { t[++n] = $2 " " $3 } /^v / { v[++m] = $2 " " $3 }
   /^f/ { for (i = 2; i <= 4; ++i) { split($i, c, "/"); if (t[c[2]] != v[c[1]]) exit 1 } }' out.obj ||
@@ -1194,7 +1194,7 @@ awk 'BEGIN { n = 12; print "OFF\n" 2 * n, 2 * n, 0
   for (i = 0; i < n; ++i) { p = 2 * i; q = p + 1; r = i + 1 < n ? p + 2 : 1; s = i + 1 < n ? p + 3 : 0
     print 3, p, r, s; print 3, p, s, q } }' >strip.off
 run 0 strip.off out.off --faces 24 --orient
-expect stderr '^strip.off: pieces of one side only, whose faces cannot be wound alike: 1$'
+expect stderr '^strip.off: one-sided components, whose faces cannot be wound alike: 1$'
 run 2 --orient --from record.qlv out.off
 
 # What is measured and reported
@@ -1214,7 +1214,7 @@ expect report.json '"hausdorff_bound": null'
 run 0 plain.off out.off --error 0.05 --both-ways --report report.json
 expect report.json '"hausdorff_bound": 0\.0[0-4]'
 expect report.json '"both_ways": true'
-expect stdout ' from IN, nor of IN from OUT$'
+expect stdout ' from IN, and no point of IN further than that from OUT$'
 run 2 plain.off out.off --both-ways
 awk 'BEGIN {
   n = 12
@@ -1234,11 +1234,11 @@ awk 'BEGIN {
 run 0 field.ply out.off --tolerance allowed --verify --report report.json
 expect stdout 'verified: distance of the input from the result, beyond its tolerances: 0 promised, 0 measured; '
 expect report.json '"tolerance": "allowed"'
-expect stdout ', nor of IN from OUT, [0-9.]+ % of allowed used$'
+expect stdout ', and no point of IN further than that from OUT, [0-9.]+ % of allowed used$'
 awk 'NF == 3 && !/[a-z]/ && $1 < 5.5 { ++strict } NF == 3 && !/[a-z]/ && $1 > 6.5 { ++loose }
   END { exit !(strict >= 70 && loose < 30) }' out.off || fail "the tolerances are not those of the vertices"
 run 2 field.ply out.ply --tolerance missing
-expect stderr 'no scalar .missing., but .allowed.'
+expect stderr 'no scalar .missing.; they have .allowed.'
 run 2 field.ply out.ply --tolerance allowed --error 1
 run 2 plain.off out.off --report missing/report.json
 expect stderr '^missing/report.json: '
@@ -1308,7 +1308,7 @@ write_sheet sheet.gltf
 run 0 sheet.gltf out.glb --normals 60 --verify
 expect stdout '^sheet.gltf: 128 -> 6[34] faces'
 expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* become: 0 promised, 0 measured$'
-expect stderr '^sheet.gltf: its buffers have 708 bytes, those of OUT 712: what is promised needs floats, and its positions were integers$'
+expect stderr '^sheet.gltf: the buffers of IN have 708 bytes, those of OUT 712: a promise needs floats, and the positions of IN were integers$'
 run 0 out.glb out.gltf --ratio 1
 expect stdout '^out.glb: 6[34] -> 6[34] faces'
 expect out.gltf '"VENDOR_any":{"x":\[1,null\]}'
@@ -1320,7 +1320,7 @@ head -c 4 stdout | grep -q '^glTF' || fail "no GLB on standard output"
 # What it cannot know, or is wrong, is told. Meshes of the same accessors go on sharing what they have.
 sed 's/"asset"/"extensionsRequired": ["FOO_bar", "KHR_materials_unlit"], "images": [{"uri": "none.png"}], "asset"/' sheet.gltf >told.gltf
 run 0 told.gltf out.gltf
-expect stderr "^told.gltf: it requires the extension 'FOO_bar', which is not known here"
+expect stderr "^told.gltf: IN requires the extension 'FOO_bar', which is not known here"
 expect stderr "^told.gltf: the image 'none.png' is not there$"
 [ "$(wc -l <stderr)" -eq 2 ] || fail "other remarks"
 sed -e 's/"meshes": \[{\(.*\)}\],$/"meshes": [{\1}, {"name": "twin", \1}, {"primitives": [{"attributes": {"POSITION": 2}, "indices": 1}]}],/' \
@@ -1328,7 +1328,7 @@ sed -e 's/"meshes": \[{\(.*\)}\],$/"meshes": [{\1}, {"name": "twin", \1}, {"prim
   -e 's/"count": 384}\]/"count": 384}, {"componentType": 5126, "type": "VEC3", "count": 81, "min": [0, 0, 0], "max": [0, 0, 0]}]/' sheet.gltf >twins.gltf
 run 0 twins.gltf out.gltf
 expect stdout '^twins.gltf: 128 -> 6[34] faces'
-expect stderr '^twins.gltf: triangles left out for having two equal corners.*: 128$' # those of zeros
+expect stderr '^twins.gltf: triangles left out \(two equal corners, or duplicates of another one\): 128$' # those of zeros
 grep -q '{"componentType":5126,"type":"VEC3","count":1,"min":\[0.0,0.0,0.0\],"max":\[0.0,0.0,0.0\]}' out.gltf || fail "zeros have bytes"
 expect out.gltf '"meshes":\[{("primitives":\[{"attributes":{"POSITION":[0-9]+},"indices":[0-9]+,"material":0}\])},{"name":"twin",\1}'
 if [ -n "${QUADRILLE_CASES-}" ]; then # read, or a sentence that says what decodes it
@@ -1336,7 +1336,7 @@ if [ -n "${QUADRILLE_CASES-}" ]; then # read, or a sentence that says what decod
     "$program" "$QUADRILLE_CASES/files/$file.glb" out.glb >stdout 2>stderr
     case $? in
     0) grep -qa '_compression' out.glb && fail "$file.glb is compressed yet" ;;
-    *) expect stderr '[A-Z]*_(draco_mesh|meshopt)_compression: it is compressed, .* decode it first: ' ;;
+    *) expect stderr '[A-Z]*_(draco_mesh|meshopt)_compression: it is compressed, .* decompress it first: ' ;;
     esac
   done
 fi
@@ -1351,20 +1351,20 @@ for how in meshopt draco; do
     expect packed.glb "\"extensionsRequired\":\[\"[A-Z]*_${how}_[a-z_]*\"\]"
     run 0 packed.glb unpacked.glb
     expect stdout '^packed.glb: 128 -> 6[34] faces'
-    expect stderr "^packed.glb: it is compressed, OUT is not: --compress $how does it again$"
+    expect stderr "^packed.glb: IN is compressed, OUT is not: --compress $how compresses it again$"
     run 0 packed.glb repacked.glb --compress $how
     expect_nothing stderr
     ;;
-  *) expect stderr '^this was built without lib.*, which compresses so; compress OUT by another tool: ' ;;
+  *) expect stderr '^this program was built without lib.*, which this compression needs; compress OUT with another tool: ' ;;
   esac
 done
 run 2 sheet.gltf out.off --compress draco
-expect stderr '^out.off: --compress is for OUT that is .glb or .gltf$'
+expect stderr '^out.off: --compress needs an OUT that is .glb or .gltf$'
 run 2 sheet.gltf unpacked.glb --compress zip
-expect stderr '^--compress: .zip. is none of meshopt, draco$'
+expect stderr '^--compress: .zip. is not one of meshopt, draco$'
 run 0 sheet.gltf out.off --keep 50%
 expect_ratio out.off 64
-expect stderr '^sheet.gltf: not kept: .*looks of materials'
+expect stderr '^sheet.gltf: not kept: .*properties of materials'
 # Images go into a document, from another format too, unless they shall stay files.
 mkdir images other
 printf '\211PNG\r\n\032\nanything' >'images/a b.png'
@@ -1387,14 +1387,14 @@ expect other/out.gltf '"images":\[{"uri":"data:image/png;base64,iVBORw0K'
 run 0 images/named.gltf other/out.glb --keep 50%
 grep -q anything other/out.glb || fail "no image in a GLB"
 run 0 images/named.gltf other/out.glb --keep 50% --external-images
-expect stderr 'its images are files, which OUT names as it does, but from another folder: 1$'
+expect stderr 'the images of IN are files, to which OUT refers by the same names, but from another folder: 1$'
 rm 'images/a b.png'
 run 0 images/named.gltf other/out.glb --keep 50%
 expect stderr "the image 'a%20b.png' is not there$"
 run 0 images/one.obj other/out.glb --keep 50%
-expect stderr "the image 'a b.png' is not there, or is none$"
+expect stderr "the image 'a b.png' is missing, or is not an image$"
 run 2 --cost color sheet.gltf out.glb
-expect stderr '^sheet.gltf: no colours for --cost color$'
+expect stderr '^sheet.gltf: it has no colours for --cost color$'
 run 0 sheet.gltf levels.gltf --levels 50%,40
 [ "$(grep -c '^sheet.gltf: 128 -> ' stdout)" -eq 2 ] || fail "no line for each level"
 expect levels.gltf '"nodes":\[{"mesh":0,"extensions":{"MSFT_lod":{"ids":\[1,2\]}},"extras":{"MSFT_screencoverage":\[0\.(5|492)[0-9]*,0\.3125,0\]}},{"mesh":1},{"mesh":2}\]'
@@ -1402,21 +1402,21 @@ expect levels.gltf '"extensionsUsed":\["MSFT_lod"\]'
 run 0 sheet.gltf - --format glb --levels 50%,40
 head -c 4 stdout | grep -q '^glTF' || fail "no GLB on standard output"
 run 2 levels.gltf out.gltf --levels 50%
-expect stderr '^levels.gltf: its nodes have levels of detail already \(MSFT_lod\)$'
+expect stderr '^levels.gltf: its nodes already have levels of detail \(MSFT_lod\)$'
 run 2 sheet.gltf out.gltf --levels 50%,64
-expect stderr '^--levels: 64 is not coarser than 50% before it, of 128 faces$'
+expect stderr '^--levels: 64 is not coarser than 50% before it \(IN has 128 faces\)$'
 run 1 sheet.gltf levels.glb --levels 50%,0
 expect stderr '^levels.glb, level 0: the target was not reached: '
 run 2 sheet.gltf out.gltf --labels _PART,_LAYER
-expect stderr "^sheet.gltf: no attribute of integers has the name '_LAYER'$"
+expect stderr "^sheet.gltf: there is no integer attribute named '_LAYER'$"
 run 2 roof.off out.off --labels _PART
 expect stderr '^roof.off: --labels is for glTF'
 run 2 sheet.gltf out.gltf --record record.qlv
-expect stderr '^sheet.gltf: --record is not for glTF$'
+expect stderr '^sheet.gltf: --record does not go with glTF$'
 head -c 900 out.glb >cut.glb
 echo old >old.glb
 run 2 cut.glb old.glb
-expect stderr '^cut.glb: the file is cut off: it has 900 of the [0-9]+ bytes that it says$'
+expect stderr '^cut.glb: the file is cut off: it has 900 of the [0-9]+ bytes that its header declares$'
 [ "$(cat old.glb)" = old ] || fail "the output has changed"
 
 # Both sides of a sheet stay, each with its material and wound as it was; of faces doubled the same
@@ -1458,8 +1458,8 @@ set -- $(count_sides out.obj)
 [ "$1" = "$2" ] && [ "$1" -gt 390 ] || fail "sides of $* faces"
 write_sides A 0 >doubled.obj
 run 0 doubled.obj out.obj --keep 10% --report report.json
-expect stdout '^doubled.obj: 1,600 -> (80|79) faces \([0-9.]+ % of the 800 that count\)'
-expect stderr '^doubled.obj: faces left out for having the corners of another one, the same way round: 800$'
+expect stdout '^doubled.obj: 1,600 -> (80|79) faces \([0-9.]+ % of the 800 to be simplified\)'
+expect stderr '^doubled.obj: duplicate faces left out \(same corners, same winding\): 800$'
 expect report.json '"counted_faces": 800'
 expect report.json '"doubled_faces": 800'
 run 0 doubled.obj out.obj --keep 10% --quiet
@@ -1468,7 +1468,7 @@ expect_nothing stderr
 # Files by parts
 run 0 plain.off whole.ply --keep 100%
 run 0 whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M --report report.json
-expect stdout '^whole.ply: 800 -> 100 faces \(12 %\), .*, by 1 part in 1 phase, 0?\.[0-9]+ GB of memory$'
+expect stdout '^whole.ply: 800 -> 100 faces \(12 %\), .*, in 1 chunk in 1 phase, 0?\.[0-9]+ GB of memory$'
 expect report.json '"count_exact": true'
 expect report.json '"peak_memory": [0-9]+'
 [ ! -e scratch ] || fail "the folder is still there"
@@ -1498,7 +1498,7 @@ fi
 run 0 $by_steps cut
 # shellcheck disable=SC2086
 run 2 $by_steps 1
-expect stderr '^--step 1: the phase has 1 parts, from 0 on$'
+expect stderr '^--step 1: the phase has 1 chunks, numbered from 0$'
 run 2 whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M
 expect stderr '^scratch/quadrille-job: has a job in it: '
 run 2 whole.ply out.ply --faces 90 --out-of-core scratch --memory 128M --restart
@@ -1522,7 +1522,7 @@ mkdir folder.ply
 run 2 whole.ply folder.ply --faces 400 --out-of-core scratch # one file is no tile
 [ -z "$(ls folder.ply)" ] || fail "written into a folder"
 run 2 'tiles/*.stl' out.ply --faces 400 --out-of-core scratch
-expect stderr '^tiles/\*.stl: no file has such a name$'
+expect stderr '^tiles/\*.stl: no file matches this pattern$'
 for option in '--boundary lock' '--boundary 0' '--boundary 1000' --drop-parts; do
   # shellcheck disable=SC2086
   run 0 whole.ply out.ply $option --faces 300 --out-of-core scratch
@@ -1541,7 +1541,7 @@ for limit in '--error 0.01' '--error 1%' '--error 1% --both-ways' '--error 1% --
 done
 # What is measured by parts is what is measured in memory.
 run 0 whole.ply out.ply --error 1% --both-ways --measure --verify --out-of-core scratch --report report.json
-expect stdout '^whole.ply: .* nor of IN from OUT, by 1 part .*, measured [0-9.]+ % of the diagonal apart, [0-9.]+ % of the diagonal RMS$'
+expect stdout '^whole.ply: .* and no point of IN further than that from OUT, in 1 chunk .*, measured [0-9.]+ % of the diagonal apart, [0-9.]+ % of the diagonal RMS$'
 expect stdout '^out.ply: verified: distance of the result from the input: [0-9.e-]+ promised, [0-9.e-]+ measured; distance of the input '
 expect report.json '"held": true'
 measured=$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)
@@ -1549,14 +1549,14 @@ run 0 whole.ply out.ply --error 1% --both-ways --measure --verify --report repor
 [ "$measured" = "$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)" ] || fail "measured otherwise by parts"
 [ ! -e scratch ] || fail "the scratch folder is there"
 run 0 field.ply out.ply --tolerance allowed --verify --out-of-core scratch
-expect stdout '^field.ply: .*, nor of IN from OUT, [0-9.]+ % of allowed used, by 1 part '
+expect stdout '^field.ply: .*, and no point of IN further than that from OUT, [0-9.]+ % of allowed used, in 1 chunk '
 expect stdout '^out.ply: verified: distance of the input from the result, beyond its tolerances: 0 promised, 0 measured; '
 run 2 whole.ply out.ply --tolerance size --out-of-core scratch
 expect stderr '^whole.ply: its vertices have no scalar size of tolerances, nor any other: '
 run 2 whole.ply ./whole.ply --measure --out-of-core scratch
 expect stderr '^whole.ply: is both IN and OUT, '
 run 2 whole.ply out.ply --measure --verify --out-of-core scratch
-expect stderr '^--verify needs something that is promised: '
+expect stderr '^--verify needs a promise to check: '
 for option in '--error 1% --both-ways --calibrated' '--weld 1' --orient '--pairs 1' --solid \
   --no-self-intersection '--normals 30' '--levels 50%' '--record a.qlv' '--vertices 9' '--order relaxed' '--region a' \
   '--labels a' '--seams soft' '--importance a' '--lines 1' '--noise 1' '--crease 9' --keep-partial; do
@@ -1584,14 +1584,14 @@ awk 'BEGIN { printf "ply\nformat binary_little_endian 1.0\nelement vertex 150000
 truncate -s 22000000 short.ply
 if (ulimit -v 500000 && "$program" --version) >stdout 2>&1; then # with a sanitizer it takes more
   (ulimit -v 500000 && "$program" short.ply out.ply) >stdout 2>stderr
-  expect stderr '^short.ply: its 3,000,000 faces take about 0.75 GB of memory, more than there are: --out-of-core'
+  expect stderr '^short.ply: its 3,000,000 faces need about 0.75 GB of memory, more than is available: --out-of-core'
 fi
 rm short.ply
 
 # How far a run by parts is, where there is no terminal: what it will take, and a line for each phase
 run 0 whole.ply out.ply --faces 100 --out-of-core scratch --progress progress.json
 expect stderr '^whole.ply: about [0-9.]+ m?s, 0?\.[0-9]+ GB of memory and [0-9.e-]+ GB in the scratch folder$'
-expect stderr '^whole.ply: simplify, phase 1 of [0-9], 0 of 1 parts$'
+expect stderr '^whole.ply: simplify, phase 1 of [0-9], 0 of 1 chunks$'
 expect progress.json '^{"seconds":[0-9.e-]+,"stage":"survey",.*"input":"whole.ply","output":"out.ply","estimate":{"faces":800,'
 expect progress.json '^{"seconds":[0-9.e-]+,"stage":"simplify","phase":1,'
 expect progress.json '^{"seconds":[0-9.e-]+,"stage":"done","faces":100}$'

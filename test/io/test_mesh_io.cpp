@@ -157,8 +157,8 @@ TEST_CASE("Files that are missing, empty or of no known format are refused", "[m
   CHECK(complaint("a.obj", "") == "a.obj: the file is empty");
   CHECK(complaint("a.stl", "") == "a.stl: the file is empty");
   CHECK(complaint("a.txt", "x") ==
-        "a.txt: the extension '.txt' is none of .off .obj .ply .stl .ts");
-  CHECK(complaint("off", "x") == "off: the extension '' is none of .off .obj .ply .stl .ts");
+        "a.txt: the extension '.txt' is not one of .off .obj .ply .stl .ts");
+  CHECK(complaint("off", "x") == "off: the extension '' is not one of .off .obj .ply .stl .ts");
   const Folder folder;
   CHECK_THROWS_WITH(read_mesh(folder.path("a.off")), Catch::EndsWith("a.off: no such file"));
   fs::create_directory(folder.path("b.off"));
@@ -167,11 +167,11 @@ TEST_CASE("Files that are missing, empty or of no known format are refused", "[m
 
 TEST_CASE("Broken OFF files are refused with their place", "[mesh_io]") {
   const auto [content, message] = GENERATE(table<std::string, std::string>({
-      {"# nothing\n\n", "a.off:2: not an OFF file: it holds comments only"},
-      {"PLY\n", "a.off:1: not an OFF file of three dimensions: it starts with 'PLY'"},
-      {"nOFF\n4\n", "a.off:1: not an OFF file of three dimensions: it starts with 'nOFF'"},
+      {"# nothing\n\n", "a.off:2: not an OFF file: it contains only comments"},
+      {"PLY\n", "a.off:1: not a three-dimensional OFF file: it starts with 'PLY'"},
+      {"nOFF\n4\n", "a.off:1: not a three-dimensional OFF file: it starts with 'nOFF'"},
       {"OFF BINARY\n", "a.off:1: binary OFF is not supported"},
-      {"OFF\n\0", "a.off:1: the file ends where the counts are expected"},
+      {"OFF\n\0", "a.off:1: the file ends before the counts are expected"},
       {"OFF\n3\n", "a.off:2: the line ends before the next face count"},
       {"OFF\n3 x 0\n", "a.off:2: face count 'x' is not an integer"},
       {"OFF\n-3 1 0\n", "a.off:2: vertex count -3 is negative"},
@@ -186,9 +186,9 @@ TEST_CASE("Broken OFF files are refused with their place", "[mesh_io]") {
        "a.off:4: coordinate 'zero' is not a number"},
       {"OFF\n3 1 0\n0 0 0\n1 0,5 0\n0 1 0\n3 0 1 2\n", "a.off:4: coordinate '0,5' is not a number"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n\n",
-       "a.off:5: the file ends where vertex 2 of 3 is expected, counted from 0"},
+       "a.off:5: the file ends before vertex 2 of 3 (counted from 0)"},
       {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
-       "a.off:6: the file ends where face 1 of 2 is expected, counted from 0"},
+       "a.off:6: the file ends before face 1 of 2 (counted from 0)"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n",
        "a.off:6: the line ends before the next vertex index"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
@@ -219,7 +219,7 @@ TEST_CASE("Broken OFF files are refused with their place", "[mesh_io]") {
 TEST_CASE("What a message quotes is short and printable", "[mesh_io]") {
   CHECK(
       complaint("a.off", "\1\x7F\xFF" + std::string(1000, 'x')) ==
-      "a.off:1: not an OFF file of three dimensions: it starts with '???xxxxxxxxxxxxxxxxxxxxx...'");
+      "a.off:1: not a three-dimensional OFF file: it starts with '???xxxxxxxxxxxxxxxxxxxxx...'");
 }
 
 TEST_CASE("OFF files come in variants", "[mesh_io]") {
@@ -239,7 +239,7 @@ TEST_CASE("OFF files come in variants", "[mesh_io]") {
   for (const std::string keyword : {"OFF", "off", "OFF\n", "Off "})
     if (keyword == "Off ")
       CHECK(complaint("a.off", keyword + triangle) ==
-            "a.off:1: not an OFF file of three dimensions: it starts with 'Off'");
+            "a.off:1: not a three-dimensional OFF file: it starts with 'Off'");
     else
       CHECK(read("a.off", keyword + triangle).points == its_points);
 }
@@ -271,7 +271,7 @@ TEST_CASE("The letters of an OFF keyword come in any order", "[mesh_io]") {
     CHECK(mesh.losses.text() == (keyword.find('N') == std::string::npos ? "" : "normals"));
   }
   CHECK(complaint("a.off", "CCOFF 0 0 0") ==
-        "a.off:1: not an OFF file of three dimensions: it starts with 'CCOFF'");
+        "a.off:1: not a three-dimensional OFF file: it starts with 'CCOFF'");
 }
 
 TEST_CASE("Broken OBJ files are refused with their place", "[mesh_io]") {
@@ -399,7 +399,7 @@ TEST_CASE("Parts that differ by their smoothing groups only are one region", "[m
 TEST_CASE("Faces without texture coordinates are written without them", "[mesh_io]") {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 9 9\nvt 1 0\nvn 0 0 1\n";
   const IndexedMesh mesh = read("a.obj", points + "f 1/2/1 2/1/1 3/1/1\nf 1 3 4\nf 4/1 3/1 2\n");
-  CHECK(mesh.losses.text() == "texture coordinates of faces that have them at some corners only");
+  CHECK(mesh.losses.text() == "texture coordinates of faces that have them only at some corners");
   CHECK(mesh.corner_textures.triples == std::vector<Triangle>{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}});
   CHECK(encode_obj(mesh).ends_with("f 1/2/1 2/1/1 3/1/1\nf 1 3 4\nf 4 3 2\n"));
   CHECK(mesh.parts.of_faces == std::vector<std::uint32_t>{0, 1, 1});
@@ -450,7 +450,7 @@ TEST_CASE("Vertices that only normals or texture coordinates at corners tell apa
   CHECK(mesh.corner_normals.triples[2] == Triangle{1, 1, 1});
   CHECK(mesh.corner_textures.triples == mesh.corner_normals.triples);
   CHECK(mesh.remarks ==
-        std::vector<std::string>{"vertices welded to another at the same place: 2"});
+        std::vector<std::string>{"vertices merged with another one at the same place: 2"});
   CHECK(mesh.losses.empty());
 }
 
@@ -462,8 +462,8 @@ TEST_CASE("Texture coordinates and normals of corners that are no numbers are re
   CHECK(mesh.corner_textures.values == std::vector<std::array<double, 2>>{{0, 0}, {0, 0}, {1, 2}});
   CHECK(mesh.corner_normals.values == std::vector<std::array<double, 3>>{{0, 0, 1}, {2, 0, 0}});
   CHECK(mesh.remarks ==
-        std::vector<std::string>{"texture coordinates that are not finite, taken as 0: 2",
-                                 "normals that are not finite, taken as (0, 0, 1): 1"});
+        std::vector<std::string>{"texture coordinates that are not finite, replaced by 0: 2",
+                                 "normals that are not finite, replaced by (0, 0, 1): 1"});
 }
 
 TEST_CASE("OFF gets a vertex for each side of a seam of the texture", "[mesh_io]") {
@@ -665,7 +665,7 @@ TEST_CASE("Properties of PLY are kept with the faces and vertices that are", "[m
   REQUIRE(mesh.face_numbers.size() == 1);
   CHECK(mesh.face_numbers[0].values == std::vector<double>{0, 0, 7, 7, 255});
   CHECK(mesh.vertex_numbers[0].values == std::vector<double>{51, 52, 54, 0});
-  CHECK(mesh.remarks[0] == "integers out of the range of their type, taken as its nearest end: 2");
+  CHECK(mesh.remarks[0] == "integers out of the range of their type, clamped: 2");
 }
 
 TEST_CASE("No name is written twice to PLY", "[mesh_io]") {
@@ -721,7 +721,7 @@ TEST_CASE("Broken PLY headers are refused with their place", "[mesh_io]") {
       {start + "element vertex 4000000000\nproperty float x\nend_header\n0\n",
        "a.ply: the file is too short for 4000000000 items of element 'vertex'"},
       {start + "element vertex 5000000000\nproperty float x\nend_header\n0\n",
-       "a.ply: 5000000000 vertices do not fit 32-bit indices"},
+       "a.ply: 5000000000 vertices do not fit into 32-bit indices"},
       {start + "element vertex 0\nelement face 1\nproperty list uchar float vertex_indices\n"
                "end_header\n0\n",
        "a.ply: element 'face' has no list of integers 'vertex_indices'"},
@@ -760,10 +760,10 @@ TEST_CASE("Broken text PLY files are refused with their place", "[mesh_io]") {
       {"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n",
        "a.ply:14: the file goes on after the last element"},
       {"0 0 0\n1 0 0\n0 1 0\n\n",
-       "a.ply:13: the file ends where face 0 of 1 is expected, counted from 0"},
+       "a.ply:13: the file ends before face 0 of 1 (counted from 0)"},
       {"0 0 0\n1 0 0\n\n", "a.ply: the file is too short for 3 items of element 'vertex'"},
       {"0 0 0\n1 0 0\n             \n\n",
-       "a.ply:13: the file ends where vertex 2 of 3 is expected, counted from 0"},
+       "a.ply:13: the file ends before vertex 2 of 3 (counted from 0)"},
   }));
   CAPTURE(body);
   CHECK(complaint("a.ply", ply("ascii", body)) == message);
@@ -780,7 +780,7 @@ TEST_CASE("Broken binary PLY files are refused with their place", "[mesh_io]") {
   check(float_points(), "the file is too short for 1 items of element 'face'");
   for (std::size_t cut = 1; cut < face.size(); ++cut)
     check(float_points() + face.substr(0, cut),
-          "the file ends where face 0 of 1 is expected, counted from 0");
+          "the file ends before face 0 of 1 (counted from 0)");
   check(float_points() + face + "x", "the file goes on after the last element");
   check(float_points() + bytes(std::uint8_t{3}) + bytes(0) + bytes(1) + bytes(-1),
         "face 0: vertex index -1 is out of range: there are 3");
@@ -789,7 +789,7 @@ TEST_CASE("Broken binary PLY files are refused with their place", "[mesh_io]") {
   check(float_points() + bytes(-3) + bytes(0) + bytes(1) + bytes(2), "face 0: a list of -3 values",
         "int", "int");
   check(float_points() + bytes(~0U) + bytes(0) + bytes(1) + bytes(2),
-        "the file ends where face 0 of 1 is expected, counted from 0", "int", "uint");
+        "the file ends before face 0 of 1 (counted from 0)", "int", "uint");
   const std::string nan = bytes(std::nanf(""));
   check(float_points().replace(12, 4, nan) + face, "vertex 1, counted from 0, is not finite");
 }
@@ -872,8 +872,8 @@ TEST_CASE("Colours and texture coordinates that are no numbers are taken as 0", 
   CHECK(bytes_of(mesh) == std::vector<CGAL::IO::Color>{{0, 0, 255}, {128, 0, 0}, {0, 0, 0}});
   CHECK(mesh.texture_coordinates == std::vector<std::array<double, 2>>{{0, 0}, {1, 1}, {0, 0}});
   CHECK(mesh.remarks ==
-        std::vector<std::string>{"colour values that are not numbers, taken as 0: 1",
-                                 "texture coordinates that are not finite, taken as 0: 2"});
+        std::vector<std::string>{"colour values that are not numbers, replaced by 0: 1",
+                                 "texture coordinates that are not finite, replaced by 0: 2"});
 }
 
 TEST_CASE("OFF colours before texture coordinates may do without opacity", "[mesh_io]") {
@@ -886,7 +886,7 @@ TEST_CASE("OFF colours before texture coordinates may do without opacity", "[mes
 
 TEST_CASE("Broken STL files are refused with their place", "[mesh_io]") {
   CHECK(complaint("a.stl", "triangle") ==
-        "a.stl: neither a text STL file, nor long enough for a binary one");
+        "a.stl: neither a text STL file nor long enough for a binary one");
   const auto [text, message] = GENERATE(table<std::string, std::string>({
       {"solid\n", "a.stl:1: the file ends before 'endsolid'"},
       {"solid\nfacet\nvertex 0 0 0\nendfacet\n", "a.stl:4: a facet of 1 vertices"},
@@ -946,9 +946,9 @@ TEST_CASE("Binary STL files are refused if their size does not fit", "[mesh_io]"
   CHECK(read("a.stl", file(1, facet + "spare")).remarks ==
         std::vector<std::string>{"the bytes after the last facet are left out"});
   CHECK(complaint("a.stl", file(2, facet)) ==
-        "a.stl: the file ends where facet 1 of 2 is expected, counted from 0");
+        "a.stl: the file ends before facet 1 of 2 (counted from 0)");
   CHECK(complaint("a.stl", file(~0U, facet)) ==
-        "a.stl: the file ends where facet 1 of 4294967295 is expected, counted from 0");
+        "a.stl: the file ends before facet 1 of 4294967295 (counted from 0)");
   CHECK(complaint("a.stl", file(1, facet + facet)) ==
         "a.stl: the file goes on after the last of 1 facets");
   CHECK(complaint("a.stl", file(1, facet.replace(12, 4, bytes(std::nanf(""))))) ==
@@ -978,7 +978,7 @@ TEST_CASE("Vertices that no face uses may be broken", "[mesh_io]") {
   CHECK(mesh.points == its_points);
   CHECK(mesh.triangles == one_triangle);
   CHECK(mesh.remarks ==
-        std::vector<std::string>{"vertices without a face left out for not being finite: 2"});
+        std::vector<std::string>{"isolated vertices left out (not finite): 2"});
 }
 
 TEST_CASE("Faces without three different corners are left out", "[mesh_io]") {
@@ -987,8 +987,8 @@ TEST_CASE("Faces without three different corners are left out", "[mesh_io]") {
       "OFF 3 7 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0\n1 0\n2 0 1\n3 0 1 1\n5 0 0 1 2 0\n4 0 1 0 1");
   CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}});
   CHECK(mesh.remarks ==
-        std::vector<std::string>{"faces left out for having fewer than three different corners: 4",
-                                 "triangles left out for having two equal corners: 2"});
+        std::vector<std::string>{"faces left out (fewer than three different corners): 4",
+                                 "triangles left out (two equal corners): 2"});
 }
 
 namespace {
@@ -1046,7 +1046,7 @@ TEST_CASE("What is one surface is joined, edge by edge", "[mesh_io]") {
   CHECK(welded.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
   CHECK(welded.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
   CHECK(welded.remarks ==
-        std::vector<std::string>{"vertices welded to another at the same place: 2"});
+        std::vector<std::string>{"vertices merged with another one at the same place: 2"});
 
   // A third triangle shares the first point: the same, for what is elsewhere does not matter.
   const std::string connected =
@@ -1224,7 +1224,7 @@ TEST_CASE("Polygons that cross themselves or are flat are cut into fans", "[mesh
       read("a.off", "OFF 5 1 0\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n-1 1 0\n5 0 1 2 3 4");
   CHECK(crossing.triangles.size() == 3);
   CHECK(crossing.remarks == std::vector<std::string>{
-                                "polygons cut into fans for being flat or crossing themselves: 1"});
+                                "polygons cut into fans (without area, or crossing themselves): 1"});
   CHECK(
       read("a.off", "OFF 5 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 1 2 3 4").triangles.size() ==
       3);
@@ -1301,19 +1301,19 @@ TEST_CASE("The unit of colours goes by their type, then by all of them", "[mesh_
       // whole numbers in OFF
       {"0 0 0 200 1 1\n1 0 0 1 1 0\n0 1 0 0 0 0\n", 255, ""},
       {"0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n", 1,
-       "colours of whole numbers 0 and 1 are taken as fractions"},
+       "colours that are all 0 or 1 are taken as fractions"},
       {"0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n", 255, ""},
       {"0 0 0 1 0 0 255\n1 0 0 1 1 0 255\n0 1 0 0 1 1 255\n", 255, ""},
       // with decimal points
       {"0 0 0 1. 0 0\n1 0 0 0 1 0\n0 1 0 0 1 1\n", 1, ""},
       {"0 0 0 .5 .5 .5\n1 0 0 .9 .9 .9\n0 1 0 1.0001 .5 .5\n", 1,
-       "colours are taken as fractions; numbers above 1, which stay as they are: 1"},
+       "colours are taken as fractions; values above 1, which are kept unchanged: 1"},
       {"0 0 0 3.5 .5 .5\n1 0 0 2.5 7 1.5\n0 1 0 1.0001 .5 .5\n", 1,
-       "colours are taken as fractions; numbers above 1, which stay as they are: 5"},
+       "colours are taken as fractions; values above 1, which are kept unchanged: 5"},
       {"0 0 0 20.0 .5 .5\n1 0 0 .5 7 .5\n0 1 0 .1 .5 .5\n", 1,
-       "colours are taken as fractions; numbers above 1, which stay as they are: 2"},
+       "colours are taken as fractions; values above 1, which are kept unchanged: 2"},
       {"0 0 0 255.0 0 0\n1 0 0 0 1 0.5\n0 1 0 12.5 128 3\n", 255,
-       "colours with most numbers above 1 are taken as 0 to 255"},
+       "colours are taken as 0 to 255, since most of their values are above 1"},
   }));
   CAPTURE(content);
   const IndexedMesh mesh = read("a.off", "COFF 3 1 0\n" + content + "3 0 1 2\n");
@@ -1334,11 +1334,11 @@ TEST_CASE("Whatever a file has besides is told", "[mesh_io]") {
         "lines, points, lines that begin with 'curv'");
   CHECK(losses("a.obj", points + "s off\nvt 0 0 0\nf 1 2 3") == "");
   CHECK(losses("a.obj", points + "v 1 1 1 .5\nvt 0 0 .5\nf 1 2 3") ==
-        "numbers of vertices behind their coordinates, third texture coordinates");
+        "extra numbers of vertices, third texture coordinates");
   CHECK(losses("a.off", "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2 255 0 0") ==
         "normals, face colours");
   CHECK(losses("a.off", "OFF 3 1 0\n0 0 0 5\n1 0 0\n0 1 0\n3 0 1 2") ==
-        "numbers of vertices that the keyword does not name");
+        "extra numbers of vertices");
   CHECK(
       losses(
           "a.ply",
@@ -1382,7 +1382,7 @@ TEST_CASE("STL is written in single precision and refuses what that does not hol
   mesh.points[0] = {1e39, 0, 0};
   CHECK_THROWS_WITH(
       write_mesh(folder.path("a.stl"), mesh),
-      Catch::EndsWith("a.stl: a coordinate is too large for STL, which is of single precision"));
+      Catch::EndsWith("a.stl: a coordinate is too large for STL, which uses single precision"));
   CHECK(content_of(folder.path("a.stl")) == tiny);
 }
 
@@ -1436,7 +1436,7 @@ TEST_CASE("Facets of STL keep their colours, and have the attribute 0 where ther
   CHECK(rewritten(file("", {0xFC00, 0, 0x801F})) == Attributes{0xFC00, 0, 0x801F});
   CHECK(rewritten(file("", {0x2020, 0x801F})) == Attributes{0, 0x801F}); // spaces are no colour
   CHECK(read("a.stl", file("", {0x2020})).losses.text() ==
-        "attributes of facets that are no colours");
+        "attributes of facets that are not colours");
   CHECK(read("a.stl", file("", {0x8000})).losses.empty());
   CHECK(rewritten(file(magics, {0x001F, 0x8000, 0})) == Attributes{0x001F, 0x8000, 0});
   CHECK(content_of(folder.path("b.stl")).starts_with(magics));

@@ -88,9 +88,9 @@ function testRefusals() {
   for (const option of [["--levels", "50%"], ["--record", "b.qlv"], ["--measure"]])
     refuses("--levels, --record and --measure do not go with it", input, "b.html", ...option);
   folder.write("page.html", "page");
-  refuses("extension '.html' is none of", "page.html", "c.off");
+  refuses("extension '.html' is not one of", "page.html", "c.off");
   folder.run(input, "c.off", "--record", "b.qlv");
-  refuses("there is no target and no --report for it", "--from", "b.qlv", "b.html", "--faces", "9");
+  refuses("--report and targets do not go with it", "--from", "b.qlv", "b.html", "--faces", "9");
   check(folder.run(input, "b.html").status === 0, "a page without a target");
   check(folder.run(input, "b.html", "--faces", "1").status === 1, "a page whose target is not reached");
 }

@@ -469,9 +469,9 @@ class Errors(unittest.TestCase):
         self.refused(r"^points has the shape \(108,\), not \(n, 3\)", p.ravel(), f)
         self.refused("^points has the type complex128", p.astype(complex), f)
         self.refused("^points has the type object", np.array([[None] * 3]), f)
-        self.refused(r"^faces has the shape \(50, 2\), not \(n, 3\): it is of triangles", p, f[:, :2])
+        self.refused(r"^faces has the shape \(50, 2\), not \(n, 3\): it takes triangles", p, f[:, :2])
         self.refused("^faces has the type float64", p, f.astype(float))
-        self.refused("^there are points, but no triangles", p, None)
+        self.refused("^the triangles are missing", p, None)
         bad = p.copy()
         bad[7, 1] = np.nan
         self.refused(r"^points\[7\] is not finite: \[", bad, f)
@@ -496,7 +496,7 @@ class Errors(unittest.TestCase):
         self.refused("^topology is", topology="kept?")
         self.refused("boundary_weight -1", boundary_weight=-1)
         self.refused("not in \\(0, 180\\]", normal_flip=0)
-        self.refused("^no_self_intersection=True is for order='greedy'", no_self_intersection=True, order="relaxed")
+        self.refused("^no_self_intersection=True needs order='greedy'", no_self_intersection=True, order="relaxed")
         self.refused("0 degrees are not in", normal_deviation=0)
         self.refused("keep_solid keeps the topology", keep_solid=True, topology="free")
         self.refused("^more than one thread is for order='relaxed'", threads=2)
@@ -506,10 +506,10 @@ class Errors(unittest.TestCase):
         self.refused("line_weight -1 is negative", line_weight=-1)
         self.refused("are for cost='quadric'", line_weight=1, cost="memoryless_quadric")
         self.refused("share 0 is not in", share=0, order="relaxed")
-        self.refused("^progress is 3, which cannot be called", progress=3)
+        self.refused("^progress is 3, which is not a function", progress=3)
         for wrong in (dict(), dict(error=1), dict(both_ways=True, tolerance=np.ones(36)),
                       dict(both_ways=True, error=1, relative_error=1)):
-            self.refused("^calibrated is for one of error and relative_error, with", calibrated=True, **wrong)
+            self.refused("^calibrated needs either error or relative_error, with", calibrated=True, **wrong)
         limit = dict(calibrated=True, both_ways=True)
         self.refused("does not go with a tolerance", error=1, tolerance=np.ones(36), **limit)
         self.refused("does not go with levels", error=1, levels=quadrille.Levels(), **limit)
@@ -657,7 +657,7 @@ class Levels(Folder):
             with self.assertRaisesRegex(ValueError, "nothing has been recorded"):
                 ask()
         quadrille.simplify(*torus(6)[:2], levels=levels)
-        with self.assertRaisesRegex(ValueError, "^one of faces, .* says which level, not 0 of them"):
+        with self.assertRaisesRegex(ValueError, "^pass exactly one of faces, .*, not 0"):
             levels.at()
         with self.assertRaisesRegex(ValueError, "not 2 of them"):
             levels.at(faces=3, error=1)
@@ -893,7 +893,7 @@ class Orientation(unittest.TestCase):
         kept = wrong.copy()
         result = quadrille.simplify(points, wrong, faces=200, uv=(values, wrong_corners), orient=True)
         self.assertTrue((wrong == kept).all())
-        self.assertEqual(result.remarks, ["faces turned, so that neighbours are wound alike: 267"])
+        self.assertEqual(result.remarks, ["faces turned to agree with their neighbours: 267"])
         for a, b in ((result.points, expected.points), (result.faces, expected.faces),
                      (result.uv[0], expected.uv[0]), (result.uv[1], expected.uv[1])):
             self.assertTrue((a == b).all())
@@ -905,7 +905,7 @@ class Orientation(unittest.TestCase):
         points, faces, _ = torus(20)
         split, loose = points[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3)
         result = quadrille.simplify(split, self.flipped(loose, 3), ratio=1, split_vertices=True, orient=True)
-        self.assertEqual(result.remarks, ["faces turned, so that neighbours are wound alike: 267"])
+        self.assertEqual(result.remarks, ["faces turned to agree with their neighbours: 267"])
 
     def test_a_strip_of_one_side(self):
         angles = np.linspace(0, 2 * np.pi, 24, endpoint=False)
@@ -919,7 +919,7 @@ class Orientation(unittest.TestCase):
                 b, d = 24, 0
             faces += [[a, b, c], [b, d, c]]
         result = quadrille.simplify(rim, np.array(faces), ratio=1, orient=True)
-        self.assertEqual(result.remarks, ["pieces of one side only, whose faces cannot be wound alike: 1"])
+        self.assertEqual(result.remarks, ["one-sided components, whose faces cannot be wound alike: 1"])
 
 
 class Quiet(unittest.TestCase):

@@ -80,8 +80,8 @@ class Words(unittest.TestCase):
         self.assertIn("target_reduction=0.5", message)
         self.answered("faces=500", quadrille.Mesh(self.points, self.faces), 500)
         self.answered("target_reduction=0.9", (self.points, self.faces), 0.9)
-        self.answered("is a str: all but the surface is given by name", self.points, self.faces, "quadric")
-        with self.assertRaisesRegex(ValueError, "^faces is 0.25, not an integer: a part of the faces is ratio=0.25"):
+        self.answered("is a str: all arguments except the surface need their names", self.points, self.faces, "quadric")
+        with self.assertRaisesRegex(ValueError, "^faces is 0.25, not an integer: for a fraction of the faces, pass ratio=0.25"):
             quadrille.simplify(self.points, self.faces, faces=0.25)
 
     def test_surfaces_by_name(self):
@@ -92,12 +92,12 @@ class Words(unittest.TestCase):
                     call(**named)
         with self.assertRaisesRegex(TypeError, r"second argument: simplify\(points, triangles, faces=1000\)"):
             quadrille.simplify(self.points, faces=self.faces)
-        with self.assertRaisesRegex(TypeError, r"it comes first, simplify\(mesh, ...\)"):
+        with self.assertRaisesRegex(TypeError, r"the mesh comes first, without a name: simplify\(mesh, ...\)"):
             quadrille.simplify(mesh=(self.points, self.faces))
 
     def test_faces_of_other_shapes(self):
         padded = np.insert(self.faces, 0, 3, axis=1)
-        for faces, answer in ((padded, r"padded .* faces\[:, 1:\]"), (self.faces[:, [0, 1, 2, 0]], "cut quads in two"),
+        for faces, answer in ((padded, r"padded .* faces\[:, 1:\]"), (self.faces[:, [0, 1, 2, 0]], "split quads"),
                               (padded.ravel(), r"faces.reshape\(-1, 4\)\[:, 1:\]"),
                               (self.points[self.faces], "coordinates of corners.*split_vertices=True")):
             with self.assertRaisesRegex(ValueError, answer):
@@ -197,25 +197,25 @@ class MissedTargets(unittest.TestCase):
         points, faces, _ = torus(12)
         loose = points[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3)
         told = self.warned(*loose)
-        self.assertRegex(told, "^the target is missed: 288 of 288 faces are left, where half of them were asked for")
-        self.assertIn("720 points lie exactly where another one does", told)
+        self.assertRegex(told, "^the target was not reached: 288 of 288 faces are left, but half of them were asked for")
+        self.assertIn("720 points coincide with another one", told)
         self.assertIn("split_vertices=True", told)
         self.assertEqual(self.warned(*loose, split_vertices=True), "")
 
     def test_parts(self):
         told = self.warned(*tetrahedra(20), faces=10)
         self.assertIn("where faces=10 was asked for (all pairs rejected)", told)
-        self.assertIn("20 parts are left, and each keeps some faces: topology='parts_may_vanish'", told)
+        self.assertIn("20 components are left, and each keeps some faces: topology='parts_may_vanish'", told)
         self.assertEqual(self.warned(*tetrahedra(20), faces=10, topology="parts_may_vanish"), "")
         told = self.warned(*tetrahedra(3), faces=4, topology="parts_may_vanish")  # large ones stay
-        self.assertIn("3 parts are left, and each keeps some faces: pairs_closer_than= joins parts", told)
+        self.assertIn("3 components are left, and each keeps some faces: pairs_closer_than= joins components", told)
 
     def test_what_else_is_in_the_way(self):
         points, faces, _ = torus(12)
         self.assertIn("topology='free'", self.warned(points, faces, faces=2))
         self.assertIn("fixed", self.warned(points, faces, faces=10, fixed=np.arange(100)))
-        self.assertIn("the filter refused", self.warned(points, faces, faces=10, filter=lambda c: False))
-        self.assertIn("borders of labels stay", self.warned(points, faces, faces=10, labels=np.arange(len(faces))))
+        self.assertIn("the filter returned False", self.warned(points, faces, faces=10, filter=lambda c: False))
+        self.assertIn("boundaries of labels stay", self.warned(points, faces, faces=10, labels=np.arange(len(faces))))
         self.assertIn("vertices=3 or ratio=0.01", self.warned(*tetrahedra(3), vertices=3, ratio=0.01))
         self.assertIn("stop was asked for", self.warned(*tetrahedra(3), stop=lambda status: False))
 

@@ -82,28 +82,28 @@ const refused = [
   ["an array that is not typed", [bad({ positions: [0, 0, 0] })], /positions is a value of Array, not a typed array of numbers/],
   ["integers of 64 bits", [bad({ indices: new BigUint64Array(3) })], /indices is a value of BigUint64Array, not a typed array of integers/],
   ["real indices", [bad({ indices: new Float32Array(3) })], /indices is a value of Float32Array, not a typed array of integers/],
-  ["a number too many", [bad({ positions: new Float32Array(4) })], /positions has 4 numbers, which are no points of 3 each/],
+  ["a number too many", [bad({ positions: new Float32Array(4) })], /positions has 4 numbers, which is not a multiple of 3/],
   ["a negative index", [bad({ indices: Int32Array.of(0, 1, -2) })], /indices\[2\] is -2, which is negative/],
   ["an index beyond the points", [bad({ indices: Uint32Array.of(0, 1, 900) })], /face 0 names point 900 of 900/],
   ["a coordinate that is not finite", [bad({ positions: positions.map((x, i) => (i === 7 ? NaN : x)) })], /vertex 2 is not finite/],
-  ["a key of a mesh", [bad({ normals: positions })], /the mesh has "normals", which is none of positions, indices/],
+  ["a key of a mesh", [bad({ normals: positions })], /the mesh has "normals", which is not one of positions, indices/],
   ["labels", [bad({ labels: new Uint32Array(2) })], /labels has 2 numbers for 1682 triangles/],
   ["an attribute that is an array", [bad({ attributes: { uv } })], /attributes\.uv is a value of Float32Array, not an object with values/],
-  ["a kind", [ofUv({ kind: "textur" })], /attributes\.uv: kind is "textur", which is none of texture, normals, colors, attributes/],
-  ["seams", [ofUv({ seams: "keep" })], /attributes\.uv: seams is "keep", which is none of kept, soft, priced, free/],
-  ["a key of an attribute", [ofUv({ wrap: 1 })], /attributes\.uv has "wrap", which is none of/],
+  ["a kind", [ofUv({ kind: "textur" })], /attributes\.uv: kind is "textur", which is not one of texture, normals, colors, attributes/],
+  ["seams", [ofUv({ seams: "keep" })], /attributes\.uv: seams is "keep", which is not one of kept, soft, priced, free/],
+  ["a key of an attribute", [ofUv({ wrap: 1 })], /attributes\.uv has "wrap", which is not one of/],
   ["values for points", [ofUv({ values: uv.slice(2) })], /attributes\.uv\.values has 1798 numbers for 1800 components of 900 points/],
   ["corners of an attribute", [ofUv({ indices: new Uint32Array(3) })], /attributes\.uv\.indices has 3 numbers for 5046 corners/],
   ["an importance", [ofUv({ importance: 0 })], /importance 0 is not above 0/],
   ["components", [bad({ attributes: { a: { values: new Float32Array(901) } } })], /attributes\.a has 901 numbers for 900 points/],
   ["options that are a number", [mesh, 100], /the options are 100, not an object/],
-  ["an option", [mesh, { face: 100 }], /the options have "face", which is none of faces, vertices/],
+  ["an option", [mesh, { face: 100 }], /the options have "face", which is not one of faces, vertices/],
   ["a count", [mesh, { faces: 0.5 }], /faces is 0.5, not an integer/],
   ["a negative count", [mesh, { faces: -1 }], /faces is -1, not in/],
   ["a ratio", [mesh, { ratio: 2 }], /ratio 2 /],
   ["a text for a number", [mesh, { error: "1" }], /error is "1", not a number/],
   ["a number for a boolean", [mesh, { bothWays: 1 }], /bothWays is 1, not a boolean/],
-  ["a cost", [mesh, { cost: "quadrics" }], /cost is "quadrics", which is none of quadric, memoryless_quadric/],
+  ["a cost", [mesh, { cost: "quadrics" }], /cost is "quadrics", which is not one of quadric, memoryless_quadric/],
   ["a limit", [mesh, { relativeError: -1 }], /the limit -1 is not a distance/],
   ["options that do not go together", [mesh, { cost: "edge_length", creaseDegrees: 30 }], /crease_degrees are for the cost quadric/],
   ["a mask", [mesh, { fixed: new Uint8Array(3) }], /fixed has 3 numbers for 900 points/],
@@ -162,7 +162,7 @@ test("levels are told, read, and freed", () => {
   assert.deepEqual(level.labels, Uint8Array.from(level.inputFaces, (face) => labels[face]));
   assert.ok(levels.info({ distance: level.distanceBound }).faces <= 500);
   for (const stop of [undefined, {}, { face: 3 }, { faces: "3" }, { faces: 1, vertices: 1 }, { faces: -1 }])
-    assert.throws(() => levels.at(stop), /a level is asked for by one of faces, vertices/);
+    assert.throws(() => levels.at(stop), /a level is chosen by one of faces, vertices/);
   levels.free();
   levels.free();
   assert.throws(() => levels.at({ faces: 10 }), /have been freed/);

@@ -108,7 +108,7 @@ test("positions are those of the package", { skip }, async () => {
 test("what is no mesh is told, and the page goes on", { skip }, async () => {
   const tab = await opened();
   await drop(tab, "notes.txt", "hello");
-  await tab.until(`${state}.includes("notes.txt: the extension '.txt' is none of .off .obj .ply .stl .ts")`);
+  await tab.until(`${state}.includes("notes.txt: the extension '.txt' is not one of .off .obj .ply .stl .ts")`);
   await drop(tab, "broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n");
   await tab.until(`${state}.includes("broken.off:5: ")`);
   await drop(tab, "one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");

@@ -95,7 +95,7 @@ const MeshFormat& mesh_format(const std::filesystem::path& path, const char* oth
   if (std::filesystem::is_directory(path))
     fail(path, "is a folder");
   fail(path,
-       "the extension " + in_quotes(extension) + " is none of .off .obj .ply .stl .ts" + others);
+       "the extension " + in_quotes(extension) + " is not one of .off .obj .ply .stl .ts" + others);
 }
 
 void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {

@@ -131,7 +131,7 @@ private:
         surfaces_.emplace_back(std::move(primitives));
     }
     if (!missing.empty())
-      throw std::runtime_error("no attribute of integers has the name " +
+      throw std::runtime_error("there is no integer attribute named " +
                                in_quotes(*missing.begin()));
     placements_ = GltfPlacements::of(document_);
     for (const auto& [twin, first] : firsts_)
@@ -180,13 +180,12 @@ inline std::vector<std::string> remarks_of(GltfMeshes& meshes, const std::filesy
   std::size_t left_out = 0;
   for (const GltfSurface& surface : meshes.surfaces())
     left_out += surface.count_left_out();
-  remark("triangles left out for having two equal corners, or the corners of another one, the same "
-         "way round",
-         left_out);
+  remark("triangles left out (two equal corners, or duplicates of another one)", left_out);
   for (const std::string& one : GltfChecks::remarks(meshes.document(), meshes.surfaces(), in))
     remarks.push_back(one);
   if (leaves_images && folder_of(in) != folder_of(out))
-    remark("its images are files, which OUT names as it does, but from another folder",
+    remark("the images of IN are files, to which OUT refers by the same names, but from another "
+           "folder",
            meshes.image_files().size());
   return remarks;
 }

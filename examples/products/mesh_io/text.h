@@ -90,8 +90,8 @@ inline std::string out_of_range(const std::string& kind, std::int64_t index, std
 
 /// The complaint about a file that is shorter than it says.
 inline std::string ends_before(const std::string& what, std::uint64_t index, std::uint64_t count) {
-  return "the file ends where " + what + " " + std::to_string(index) + " of " +
-         std::to_string(count) + " is expected, counted from 0";
+  return "the file ends before " + what + " " + std::to_string(index) + " of " +
+         std::to_string(count) + " (counted from 0)";
 }
 
 inline void require_text(const Source& source) {

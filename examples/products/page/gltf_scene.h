@@ -64,7 +64,7 @@ private:
     for (std::size_t i = 0; i < size_of(parent, key); ++i) {
       const Json& number = parent.at(key).at(i);
       if (!number.is_number_unsigned())
-        throw std::runtime_error("a node is named by something else than a number");
+        throw std::runtime_error("a node is referred to by something other than a number");
       const Json& node = element_of(json_, "nodes", number.get<std::size_t>());
       const Transform of_node = map * transform_of_node(node);
       if (member(node, "mesh"))
@@ -170,8 +170,9 @@ private:
     const std::size_t number = count_of(use, "index");
     const std::string name = "of texture " + std::to_string(number);
     if (count_of(use, "texCoord", 0) != 0) {
-      shown_.looks.notes.push_back("The image " + name + " is not shown: its coordinates are not " +
-                                   "the first ones");
+      shown_.looks.notes.push_back("The image " + name +
+                                   " is not shown: it does not use the first " +
+                                   "texture coordinates");
       return std::nullopt;
     }
     return images_.add(name, [&] {

@@ -56,11 +56,11 @@ private:
       const std::string bytes = read_for_page(read);
       const std::optional<std::string> type = image_type(bytes);
       if (!type)
-        throw std::runtime_error("it is neither PNG nor JPEG nor WebP");
+        throw std::runtime_error("it is not PNG, JPEG or WebP");
       bytes_ += bytes.size();
       if (bytes_ > most_bytes_of_images)
-        throw std::runtime_error("the images of a page have at most " +
-                                 std::to_string(most_bytes_of_images >> 20U) + " MiB together");
+        throw std::runtime_error("the images of a page may take at most " +
+                                 std::to_string(most_bytes_of_images >> 20U) + " MiB in total");
       looks_.images.push_back("data:" + *type + ";base64," + encode_base64(bytes));
       return looks_.images.size() - 1;
     } catch (const std::runtime_error& error) {
@@ -127,7 +127,7 @@ private:
 inline void read_ply_image(const std::filesystem::path& path, const IndexedMesh& mesh,
                            PageMaterials& looks) {
   if (mesh.texture_comments.size() > 1)
-    looks.notes.push_back("Images are not shown: the file names several");
+    looks.notes.push_back("Images are not shown: the file has several");
   if (mesh.texture_comments.size() != 1)
     return;
   std::istringstream words(mesh.texture_comments.front());

@@ -107,7 +107,7 @@ function addColorings() {
 
 function addNotes() {
   element("notes").replaceChildren();
-  const cap = `The finest level here has ${textOfCount(finest)} of the ${textOfCount(header.inputFaces)} faces of the file, so that the page stays small.`;
+  const cap = `To keep the page small, its finest level has ${textOfCount(finest)} of the ${textOfCount(header.inputFaces)} faces of the file.`;
   for (const note of finest < header.inputFaces ? [cap, ...header.notes] : header.notes) {
     const item = document.createElement("li");
     item.textContent = note;

@@ -61,8 +61,7 @@ inline std::string complaint_of_levels(const std::string& list) {
   for (const std::string& word : words_between_commas(list))
     if (!target_of_level(word))
       return in_quotes(word) +
-             " is neither a percentage of the faces nor a count of them, nor error= and a "
-             "distance";
+             " is not a percentage of the faces, a count of faces, or error= with a distance";
   return "";
 }
 
@@ -96,11 +95,11 @@ inline void require_descending(const AskedLevels& levels, std::size_t faces) {
   for (std::size_t i = 1; i < levels.size(); ++i) {
     const auto fail = [&](const std::string& complaint) {
       throw std::runtime_error("--levels: " + levels[i].word + complaint + levels[i - 1].word +
-                               " before it, of " + std::to_string(faces) + " faces");
+                               " before it (IN has " + std::to_string(faces) + " faces)");
     };
     const std::optional<bool> is_right = is_coarser(levels[i].target, levels[i - 1].target, faces);
     if (!is_right)
-      fail(" is not of the kind of ");
+      fail(" is not of the same kind as ");
     if (!*is_right)
       fail(" is not coarser than ");
   }

@@ -68,7 +68,8 @@ inline CLI::Validator amount(const std::string& what,
 }
 
 inline CLI::Validator distance() {
-  return amount("a distance: a number in the units of IN, or 0.1% for a fraction of the diagonal");
+  return amount("a distance, which is a number in the units of IN, or a percentage of the diagonal "
+                "such as 0.1%");
 }
 
 /// What the library, or Python, calls a word.
@@ -88,7 +89,7 @@ inline CLI::Option* take_one_of(CLI::Option* option, const std::vector<std::stri
     if (const auto found = synonyms.find(plain); found != synonyms.end())
       plain = found->second;
     if (std::find(words.begin(), words.end(), plain) == words.end())
-      return in_quotes(word) + " is none of " + list;
+      return in_quotes(word) + " is not one of " + list;
     word = plain;
     return "";
   };

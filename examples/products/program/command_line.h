@@ -24,52 +24,52 @@ namespace quadrille_examples {
 
 /// Options that are for a mesh that is read, and not for a record.
 inline constexpr const char* target_group =
-    "Target: the first that is met ends the run; half of the faces without any";
+    "Target: the run stops at the first one that is met; if there is none, at half of "
+    "the faces";
 
 inline void add_target(CLI::App& app, Options& options) {
   Target& target = options.target;
   const auto in_group = [](CLI::Option* option, const CLI::Validator& check, const char* type) {
     return option->check(check)->type_name(type)->group(target_group);
   };
-  in_group(app.add_option("--faces", target.faces, "stop at so many faces"), count(), "N");
+  in_group(app.add_option("--faces", target.faces, "stop at N faces"), count(), "N");
   in_group(app.add_option_function<std::string>(
                "--keep,--ratio",
                [&](const std::string& word) { target.ratio = amount_of(word).value; },
-               "stop at this fraction of the faces, 10% or 0.1"),
-           amount("from 0 to 1 nor from 0% to 100%, as 0.1 or 10%", 1), "PART");
-  in_group(app.add_option("--vertices", target.vertices, "stop at so many vertices"), count(), "N");
+               "stop at this fraction of the faces, such as 10% or 0.1"),
+           amount("a fraction from 0 to 1 or from 0% to 100%, such as 0.1 or 10%", 1), "FRACTION");
+  in_group(app.add_option("--vertices", target.vertices, "stop at N vertices"), count(), "N");
   in_group(
       app.add_option_function<std::string>(
           "--error", [&](const std::string& word) { target.error = amount_of(word); },
-          "no point of OUT is further than that from IN, in the units of IN or, with %, in parts "
-          "of the diagonal of its bounding box; what is lost of IN, as thin spikes are, may lie "
-          "further from OUT, as --measure tells, but with --both-ways"),
+          "no point of OUT is further than this from IN, in the units of IN or as a percentage "
+          "of the diagonal of its bounding box; features of IN that are lost, such as thin "
+          "spikes, may be further from OUT unless --both-ways is given (see --measure)"),
       distance(), "D|P%");
-  app.add_flag(
-         "--both-ways", target.both_ways,
-         "--error counts both ways: nor is any point of IN further than that from OUT, so that "
-         "thin spikes stay")
+  app.add_flag("--both-ways", target.both_ways,
+               "apply --error both ways: no point of IN is further than that from OUT either, so "
+               "thin spikes stay")
       ->group(target_group)
       ->needs("--error");
-  app.add_flag("--calibrated", target.is_calibrated,
-               "go as far as --error is measured to allow, both ways, in several runs: half of the "
-               "faces or less, for many times the time")
+  app.add_flag(
+         "--calibrated", target.is_calibrated,
+         "continue until the measured distance reaches --error, both ways: half as many faces "
+         "or fewer, in several runs that take many times as long")
       ->group(target_group)
       ->needs("--both-ways");
   app.add_option(
          "--tolerance", target.tolerance,
-         "the same where the limit varies: no face of IN is further from OUT than the least "
-         "of the numbers that its vertices have under this name, a scalar of a PLY file, in "
-         "the units of IN")
+         "a limit that varies over the surface: no face of IN is further from OUT than the "
+         "smallest value of this scalar at its vertices, in the units of IN (PLY files have "
+         "such scalars)")
       ->type_name("NAME")
       ->group(target_group);
   in_group(
       app.add_option_function<std::string>(
           "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
-          "several results, each coarser than the one before it: parts of the faces or counts of "
-          "them, 50%,25%,1000, or distances, error=0.1%,error=0.5%; written to OUT-1, OUT-2, ... "
-          "with the extension of OUT, or of glTF "
-          "as MSFT_lod of the one file OUT"),
+          "several results, each coarser than the one before: fractions or counts of the faces "
+          "(50%,25%,1000) or distances (error=0.1%,error=0.5%); they are written to OUT-1, "
+          "OUT-2, ... with the extension of OUT, or for glTF into the one file OUT, as MSFT_lod"),
       {complaint_of_levels, ""}, "LIST");
 }
 
@@ -78,62 +78,63 @@ inline void add_files(CLI::App& app, Options& options) {
   app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
   app.add_option("OUT", options.output,
                  "the mesh to write" + formats +
-                     "output), or a page that shows it (.html); -i IN and -o OUT are the same");
+                     "output), or a page that shows it (.html); -i IN and -o OUT work as well");
   take_one_of(app.add_option("--format", options.format,
-                             "the format of IN and OUT where their names end in none"),
+                             "the format of IN and OUT if their names do not show it"),
               {"off", "obj", "ply", "stl", "ts", "gltf", "glb"})
       ->group("Files");
-  take_one_of(
-      app.add_option("--out-format", options.output_format, "the format of OUT, whatever its name"),
-      {"off", "obj", "ply", "stl", "ts", "gltf", "glb", "html"})
+  take_one_of(app.add_option("--out-format", options.output_format,
+                             "the format of OUT, whatever its name is"),
+              {"off", "obj", "ply", "stl", "ts", "gltf", "glb", "html"})
       ->group("Files");
   app.add_option_function<std::string>(
          "--weld", [&](const std::string& word) { options.weld = amount_of(word); },
-         "make vertices at the same place one, or closer than TOLERANCE, in units of IN or, with "
-         "%, in parts of the diagonal; without this, those are one at which edges of faces meet")
+         "merge vertices at the same place, or closer than TOLERANCE, in the units of IN or "
+         "as a percentage of the diagonal; without this, vertices are merged only where edges "
+         "of faces coincide")
       ->check(distance())
       ->type_name("[TOLERANCE]")
       ->group("Files");
   app.add_flag(
          "--orient", options.orients,
-         "wind faces as their neighbours are, in each piece of IN that hangs together by edges "
-         "of two faces")
+         "turn faces so that neighbours are wound alike, across all edges that two faces share")
       ->group("Files");
   app.add_option("--into", options.folder,
-                 "all words are files to read, each of which gets a result of its name in this "
-                 "folder, which is made if it is not there")
+                 "simplify several files: every word is an input file, whose result is written to "
+                 "this folder under the same name; the folder is created if it does not exist")
       ->type_name("FOLDER")
       ->group("Files");
   app.add_flag("--external-images", options.leaves_images,
-               "leave images of glTF and OBJ in their files, which OUT names; without this they go "
-               "into OUT if it is .glb, or .gltf in another folder")
+               "leave the images of glTF and OBJ in their files, and refer to them; without this "
+               "they are embedded if OUT is .glb, or .gltf in another folder")
       ->group("Files");
-  take_one_of(app.add_option("--compress", options.compression,
-                             "compress OUT, which is glTF: by EXT_meshopt_compression, bit for "
-                             "bit, or by KHR_draco_mesh_compression, which rounds floats unless "
-                             "something is promised of OUT"),
-              {"meshopt", "draco"})
+  take_one_of(
+      app.add_option("--compress", options.compression,
+                     "compress OUT, a glTF file: EXT_meshopt_compression is lossless, "
+                     "KHR_draco_mesh_compression rounds floats unless OUT has to keep a promise"),
+      {"meshopt", "draco"})
       ->group("Files");
   app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only")->group("Files");
-  app.add_flag("--keep-partial", options.keeps_partial,
-               "after Ctrl-C write how far it went; without this OUT stays as it was")
+  app.add_flag(
+         "--keep-partial", options.keeps_partial,
+         "after Ctrl-C, write the mesh as far as it was simplified; without this OUT stays as "
+         "it was")
       ->group("Files");
 }
 
 inline void add_figures(CLI::App& app, Options& options) {
   app.add_flag("--measure", options.measures,
-               "measure the distance of IN and OUT, and how far the texture has moved")
+               "measure the distance between IN and OUT, and how far the texture has moved")
       ->group("Figures");
   app.add_flag("--verify", options.verifies,
-               "measure, by other code than that which simplifies, whether OUT keeps what --error, "
-               "--tolerance, --no-self-intersection, --solid and --normals promise")
+               "check with independent code whether OUT keeps what --error, --tolerance, "
+               "--no-self-intersection, --solid and --normals promise")
       ->group("Figures");
-  app.add_option("--report", options.report,
-                 "write what was done and measured to this file, as JSON")
+  app.add_option("--report", options.report, "write the figures of the run to this file, as JSON")
       ->type_name("FILE")
       ->group("Figures");
   app.add_flag("--quiet,-q", options.is_quiet, "print errors only")->group("Figures");
-  app.add_flag("--verbose,-v", options.is_verbose, "print all that is known of the run")
+  app.add_flag("--verbose,-v", options.is_verbose, "print everything that is known about the run")
       ->group("Figures");
 }
 
@@ -149,7 +150,7 @@ inline void add_records(CLI::App& app, Options& options) {
   app.callback([&] {
     require_compatible(app);
     if (!options.from.empty() && !options.output.empty())
-      throw CLI::ValidationError("--from", "there is an OUT, but no IN");
+      throw CLI::ValidationError("--from", "the record replaces IN: give only OUT");
     if (!options.from.empty())
       options.output = std::exchange(options.input, options.from);
     if (options.output.empty() && options.folder.empty())
@@ -167,8 +168,8 @@ inline void require_consistency(const Options& options) {
   refuse_if(options.cost == "length" && options.placement == "optimal",
             "--placement optimal does not go with --cost length");
   refuse_if(options.drops_parts && (options.topology == "free" || options.joins_pairs()),
-            "--drop-parts does not go with --topology free or --pairs: all else of the topology is "
-            "kept");
+            "--drop-parts does not go with --topology free or --pairs: it keeps the rest of the "
+            "topology");
   refuse_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
                                        options.cost == "thin-features"),
             "--crease goes with --cost quadric, color and texture only");
@@ -183,16 +184,16 @@ inline void require_consistency(const Options& options) {
             "--solid keeps the topology: it does not go with --topology free, --pairs or "
             "--drop-parts");
   refuse_if(options.target.is_calibrated && !options.record.empty(),
-            "--calibrated does not go with --record: it runs several times");
+            "--calibrated does not go with --record: it needs several runs");
   refuse_if(options.verifies && !options.promises(),
-            "--verify needs something that is promised: --error, --tolerance, "
-            "--no-self-intersection, --solid or --normals");
+            "--verify needs a promise to check: --error, --tolerance, --no-self-intersection, "
+            "--solid or --normals");
   refuse_if(options.threads > 0 && !options.is_relaxed && options.scratch.empty(),
             "--threads needs --order relaxed or --out-of-core");
   refuse_if(!options.scratch.empty() && (options.cost == "color" || options.cost == "texture"),
-            "--out-of-core knows positions only: it does not go with --cost " + options.cost);
+            "--out-of-core uses positions only: it does not go with --cost " + options.cost);
   refuse_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
-            "--keep-partial does not go with --levels or --record: they have several results");
+            "--keep-partial does not go with --levels or --record: they write several results");
 }
 
 inline void add_options(CLI::App& app, Options& options) {

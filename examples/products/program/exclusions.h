@@ -19,20 +19,20 @@ inline constexpr const char* reason_of_levels =
     "each level has its own target: 50%, 1000 or error=0.1%";
 inline constexpr Exclusion exclusions[] = {
     {"--tolerance", "--error",
-     "both limit how far a face may be from OUT: put the smaller one into the scalar"},
+     "both limit how far a face may be from OUT: put the smaller limit into the scalar"},
     {"--levels", "--faces", reason_of_levels},
     {"--levels", "--keep", reason_of_levels},
     {"--levels", "--vertices", reason_of_levels},
     {"--levels", "--error", reason_of_levels},
     {"--record", "--levels", "a record contains all levels, and --from reads each of them"},
     {"--verbose", "--quiet", "one prints more, the other nothing"},
-    {"--drop-parts", "--keep-parts", "either small components may vanish, or none does"},
+    {"--drop-parts", "--keep-parts", "small components may either vanish or stay"},
     {"--from", "--verify",
-     "a record does not contain IN, which OUT would be measured against: run with --verify what is "
-     "to be recorded"},
+     "a record does not contain IN to compare OUT with: use --verify in the run that "
+     "writes the record"},
     {"--from", "--measure",
-     "a record does not contain IN, which OUT would be measured against: run with --measure what "
-     "is to be recorded"}};
+     "a record does not contain IN to compare OUT with: use --measure in the run that "
+     "writes the record"}};
 
 /// Those that belong to the run that has made a record.
 inline constexpr const char* options_of_recorded_runs[] = {
@@ -59,7 +59,7 @@ inline void require_compatible(const CLI::App& app) {
   for (const Exclusion& exclusion : exclusions)
     refuse(exclusion);
   for (const char* const option : options_of_recorded_runs)
-    refuse({"--from", option, "a level of a record is simplified already, and is read as it is"});
+    refuse({"--from", option, "a level of a record is already simplified, and is only read"});
 }
 
 } // namespace quadrille_examples

@@ -76,7 +76,7 @@ private:
       text += ", phase " + std::to_string(status.phase) + " of " + std::to_string(status.phases);
     if (status.parts > 0)
       text += ", " + with_commas(status.parts_done) + " of " + with_commas(status.parts) + " " +
-              (status.stage == quadrille::FileStage::sample ? "samples" : "parts");
+              (status.stage == quadrille::FileStage::sample ? "samples" : "chunks");
     if (const std::optional<double> seconds = to_go(status))
       text += ", about " + duration_text(*seconds) + " to go";
     return text;

@@ -39,7 +39,7 @@ inline std::size_t launched_processes() {
 
 [[noreturn]] inline void refuse_launch(const std::string& why) {
   throw std::runtime_error("--out-of-core: " + std::to_string(launched_processes()) +
-                           " processes of this program were started together, as by mpirun, " +
+                           " processes of this program were started together, as mpirun does, " +
                            why);
 }
 
@@ -57,15 +57,16 @@ public:
       return;
     const std::string library = name_of_library();
     MPI_Finalize();
-    refuse_launch("by another MPI than the one that it was built with, " + library);
+    refuse_launch("by a different MPI from the one that it was built with, " + library);
   }
   ~Launch() {
     MPI_Finalize();
   }
 #else
   Launch() {
-    refuse_launch("which share a job if it was built with MPI, and it was not: start one, or see "
-                  "--step");
+    refuse_launch(
+        "but it was built without MPI, so they cannot share a job: start one process, or see "
+        "--step");
   }
   ~Launch() = default;
 #endif

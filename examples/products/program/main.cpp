@@ -41,8 +41,8 @@ unsigned threads_of(const Options& options) {
                              : std::clamp(std::thread::hardware_concurrency(), 1U, 1024U);
 #else
   if (options.threads > 1)
-    throw std::runtime_error("--threads: this program was built without oneTBB, which it needs for "
-                             "more than one");
+    throw std::runtime_error(
+        "--threads: this program was built without oneTBB, so it has one thread only");
   return 1;
 #endif
 }
@@ -55,46 +55,48 @@ bool run(Options options, ProgressLine& progress) {
     return !Interruption::is_asked();
   };
   if (options.verifies && is_page(output_extension(options)))
-    throw std::runtime_error(options.output + ": --verify is for files of meshes, not for pages");
+    throw std::runtime_error(options.output + ": --verify checks mesh files, not pages");
   if (options.target.is_calibrated && is_page(output_extension(options)))
-    throw std::runtime_error(options.output + ": a page shows what one run has recorded, and "
-                                              "--calibrated runs several times");
+    throw std::runtime_error(
+        options.output + ": a page shows a single recorded run, and --calibrated needs several");
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
   const bool writes_gltf = is_gltf(output_extension(options)) && options.scratch.empty();
   if (!options.compression.empty() && !writes_gltf)
-    throw std::runtime_error(options.output + ": --compress is for OUT that is .glb or .gltf");
+    throw std::runtime_error(options.output + ": --compress needs an OUT that is .glb or .gltf");
   compression_of(options.compression); // throws if it cannot be done
   if (options.weld && options.from.empty() && is_gltf(extension_of(options.input, options)))
     throw std::runtime_error(options.input +
-                             ": --weld is not for glTF, of which vertices are one " +
-                             "anyway where edges of faces meet at exactly the same place");
+                             ": --weld does not go with glTF, where vertices are merged " +
+                             "anyway where edges of faces coincide");
   if (!options.scratch.empty())
     return run_out_of_core(options, progress);
   if (is_page(output_extension(options)))
     return run_page(options, progress);
   if (!options.from.empty() && writes_gltf)
-    throw std::runtime_error(options.output + ": a level of a record is not written as glTF");
+    throw std::runtime_error(options.output + ": a level of a record cannot be written as glTF");
   if (!options.from.empty())
     return run_from_record(options, progress);
   const bool stays_gltf = writes_gltf && is_gltf(extension_of(options.input, options));
   if (stays_gltf && options.orients)
-    throw std::runtime_error(options.input + ": --orient is for any format but glTF, whose faces " +
-                             "say which of their sides is seen");
+    throw std::runtime_error(options.input +
+                             ": --orient does not go with glTF, where the winding " +
+                             "says which side of a face is visible");
   if (!stays_gltf && !options.labels.empty())
-    throw std::runtime_error(options.input + ": --labels is for glTF that stays glTF; of other " +
-                             "files names of faces and integers of faces are labels anyway");
+    throw std::runtime_error(options.input +
+                             ": --labels is for glTF that is written as glTF; in other " +
+                             "files, names and integers of faces are always labels");
   if (!stays_gltf)
     return run_mesh(options, progress);
   if (!options.record.empty())
-    throw std::runtime_error(options.input + ": --record is not for glTF");
+    throw std::runtime_error(options.input + ": --record does not go with glTF");
   if (!options.importance.empty() || !options.target.tolerance.empty())
     throw std::runtime_error(
         options.input + (options.importance.empty() ? ": --tolerance" : ": --importance") +
-        " is for files whose vertices have scalars with names (.ply), not " + "for glTF");
+        " needs vertices with named scalars (.ply), which " + "glTF does not have");
   if (!options.region.empty())
-    throw std::runtime_error(options.input + ": --region is for files whose faces have names or " +
-                             "scalars (.obj, .ply), not for glTF");
+    throw std::runtime_error(options.input + ": --region needs faces with names or " +
+                             "scalars (.obj, .ply), which glTF does not have");
   return run_gltf(options, progress);
 }
 
@@ -110,16 +112,16 @@ int run_or_complain(const Options& options, ProgressLine& progress) {
     return run(options, progress) ? done : target_not_reached;
   } catch (const Interrupted& interrupted) {
     complain("interrupted: " + options.output +
-             (interrupted.is_output_there ? " is there, but was not measured to the end"
+             (interrupted.is_output_there ? " is written, but its measurement was not finished"
               : options.scratch.empty()   ? " is as it was"
-                                          : " is as it was; --restart goes on where it was"));
+                                          : " is as it was; --restart resumes the job"));
     return Interruption::exit_status();
   } catch (const BrokenPromise& broken) {
     complain(broken.what());
     return promise_broken;
   } catch (const std::bad_alloc&) {
     complain(options.input + ": out of memory" +
-             (options.scratch.empty() ? "; --out-of-core FOLDER takes less" : ""));
+             (options.scratch.empty() ? "; --out-of-core FOLDER needs less" : ""));
   } catch (const std::exception& error) {
     complain(error.what());
   }
@@ -157,7 +159,7 @@ std::vector<std::string> further_words(const CLI::App& app) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Simplifies a triangle surface by contracting vertex pairs.", "quadrille");
+  CLI::App app("Simplifies a triangle mesh by contracting vertex pairs.", "quadrille");
   Options options;
   add_options(app, options);
   app.allow_extras();

@@ -123,7 +123,7 @@ inline const MeshFormat& format_of(const std::string& file, const Options& optio
   if (const MeshFormat* named = find_format(std::filesystem::path(file).extension().string()))
     return *named;
   if (options.format.empty() && (is_standard_input(file) || is_standard_output(file)))
-    throw std::runtime_error(file + ": its name tells no format: pass --format");
+    throw std::runtime_error(file + ": its name does not show its format: pass --format");
   return options.format.empty() ? mesh_format(file, " .gltf .glb, nor .html for OUT")
                                 : *find_format("." + options.format);
 }
@@ -157,17 +157,18 @@ inline quadrille::Topology topology(const Options& options) {
 
 inline void require_fit(const Options& options, bool has_colors, bool has_textures) {
   if (options.cost == "color" && !has_colors)
-    throw std::runtime_error(options.input + ": no colours for --cost color");
+    throw std::runtime_error(options.input + ": it has no colours for --cost color");
   if (options.cost == "texture" && !has_textures)
-    throw std::runtime_error(options.input + ": no texture coordinates for --cost texture");
+    throw std::runtime_error(options.input + ": it has no texture coordinates for --cost texture");
 }
 
 /// `others` is what else the file has.
 [[noreturn]] inline void refuse_without_faces(const Options& options, std::size_t vertices,
                                               const std::string& others = "") {
-  throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
-                           "vertices, " + std::to_string(vertices) + " vertices" +
-                           (others.empty() ? "" : ", but " + others));
+  throw std::runtime_error(options.input + ": nothing to simplify: it has " +
+                           std::to_string(vertices) + " vertices" +
+                           (others.empty() ? "" : ", " + others) +
+                           " and no face with three different vertices");
 }
 
 } // namespace quadrille_examples

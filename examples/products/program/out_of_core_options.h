@@ -23,24 +23,24 @@ struct NotByParts {
 };
 inline constexpr NotByParts not_by_parts[] = {
     {"--calibrated",
-     "each of its runs measures the surface as a whole, which is not in memory; --both-ways "
-     "without it keeps the limit, too"},
+     "each of its runs measures the whole surface, which is not in memory; --both-ways "
+     "alone also keeps the limit"},
     {"--orient", "a chunk does not know the orientation of the others"},
     {"--pairs", "pairs that are not edges may lie in different chunks"},
     {"--no-self-intersection", "a chunk does not see the faces of the others"},
     {"--solid", "a chunk does not see the faces of the others"},
-    {"--normals", "how far normals have turned does not go along from phase to phase"},
-    {"--levels", "levels are of one run, in memory"},
-    {"--record", "a record is of one run, in memory"},
-    {"--from", "a record is of one run, in memory"},
-    {"--vertices",
-     "the number of vertices is only known at the end; --faces and --keep are targets"},
-    {"--order", "each chunk is simplified in the greedy order, and --threads is the number of "
-                "chunks at a time"},
-    {"--region", "names of faces do not go along"},
+    {"--normals", "the deviation of normals is not passed on from phase to phase"},
+    {"--levels", "levels need a single run in memory"},
+    {"--record", "a record needs a single run in memory"},
+    {"--from", "a record needs a single run in memory"},
+    {"--vertices", "the number of vertices is only known at the end; use --faces or --keep"},
+    {"--order",
+     "each chunk is simplified in greedy order; --threads sets the number of chunks at a "
+     "time"},
+    {"--region", "names of faces are not passed on from phase to phase"},
     {"--labels", "it is for glTF"},
-    {"--seams", "seams of a file that is read in chunks are boundaries"},
-    {"--importance", "numbers of vertices go along, and weigh nothing"},
+    {"--seams", "seams of a file that is read in chunks become boundaries"},
+    {"--importance", "scalars of vertices are kept, but they do not affect the cost"},
     {"--lines", "only the plain costs are compiled for chunks"},
     {"--normal-noise", "only the plain costs are compiled for chunks"},
     {"--noise", "only the plain costs are compiled for chunks"},
@@ -55,10 +55,11 @@ inline void require_by_parts(const CLI::App& app, const Options& options) {
   for (const NotByParts& refused : not_by_parts)
     refuse_beside(app, {refused.option, "--out-of-core", refused.reason});
   if (options.weld && options.weld->value > 0)
-    refuse_beside(app, {"--weld", "--out-of-core",
-                        "which vertices a distance makes one depends on the order of points in the "
-                        "file, in chains that go on into other parts; without a distance it makes "
-                        "those one that lie at exactly the same place"});
+    refuse_beside(
+        app, {"--weld", "--out-of-core",
+              "the vertices that a distance merges depend on the order of points in the file, in "
+              "chains that may continue in other chunks; without a distance, --weld merges the "
+              "vertices at exactly the same place"});
 }
 
 /// Bytes: 4G, 500M, 1.5G, 4GB, 4g; 4GiB is a little more.
@@ -92,41 +93,42 @@ inline std::optional<std::uint64_t> parse_bytes(std::string word) {
 /// Files that do not fit into memory. Called after all options that do not go with it.
 inline void add_out_of_core(CLI::App& app, Options& options) {
   const char* const group =
-      "Files that do not fit into memory: PLY and binary STL, to PLY; IN may be "
-      "a pattern as 'tiles/*.ply', of tiles whose borders coincide, and OUT a "
-      "folder, in which they are tiles again";
+      "Files that do not fit into memory: from PLY or binary STL, to PLY; IN may be a "
+      "pattern such as 'tiles/*.ply', for tiles with coincident boundaries, and OUT a "
+      "folder for the simplified tiles";
   CLI::Option* const parts = app.add_option(
       "--out-of-core", options.scratch,
-      "simplify IN by parts that lie in this folder meanwhile, about 60 bytes for "
-      "each of its faces, 70 if half of them stay, and 90 bytes while STL is welded; "
-      "it is as it was at the end");
+      "simplify IN in chunks, and keep them in this folder meanwhile: about 60 bytes per "
+      "face, 70 if half of the faces stay, 90 while STL is welded; at the end the folder "
+      "is as it was");
   parts->type_name("FOLDER")->group(group);
   const auto in_group = [&](CLI::Option* option) { return option->group(group)->needs(parts); };
   in_group(app.add_option_function<std::string>(
                "--memory",
                [&](const std::string& word) { options.memory = parse_bytes(word).value(); },
-               "how many bytes to take at most; the result depends on it (default: 4G)"))
+               "use at most this much memory; the result depends on it (default: 4G)"))
       ->check(word_that([](const std::string& word) { return parse_bytes(word).has_value(); },
-                        "a number of bytes, as 4G or 500M"))
+                        "a number of bytes, such as 4G or 500M"))
       ->type_name("BYTES");
-  in_group(app.add_flag("--restart", options.restarts,
-                        "resume the job in the folder, where a run was stopped"));
-  in_group(app.add_option("--progress", options.progress,
-                          "write how far it is to this file, a line of JSON for each stage and "
-                          "second; the first one has an estimate of time, memory and disk"))
+  in_group(app.add_flag("--restart", options.restarts, "resume the interrupted job in the folder"));
+  in_group(app.add_option(
+               "--progress", options.progress,
+               "write the progress to this file, one line of JSON for each stage and each second; "
+               "the first line estimates time, memory and disk space"))
       ->type_name("FILE");
-  in_group(app.add_flag("--positions-only", options.positions_only,
-                        "leave out what IN has beside positions, corners, labels and tolerances; "
-                        "else colours and other numbers "
-                        "of vertices go along, and what can't is refused"));
+  in_group(app.add_flag(
+      "--positions-only", options.positions_only,
+      "keep only positions, faces, labels and tolerances; without this, colours and other "
+      "scalars of vertices are kept too, and attributes that cannot be kept are an error"));
   const auto is_step = [](const std::string& word) {
     const std::optional<std::int64_t> part = parse_integer(word);
     return word == "cut" || word == "close" || (part && *part >= 0);
   };
-  in_group(app.add_option("--step", options.step,
-                          "do no more than a step, and print how many parts the phase has: cut IN, "
-                          "simplify part N, or close the phase, which prints 0 when OUT is there"))
-      ->check(word_that(is_step, "cut, the number of a part, nor close"))
+  in_group(app.add_option(
+               "--step", options.step,
+               "do a single step: cut IN, simplify chunk N, or close the phase; prints the number "
+               "of chunks of the phase, or 0 once OUT is written"))
+      ->check(word_that(is_step, "cut, close or the number of a chunk"))
       ->type_name("cut|N|close");
 }
 

@@ -52,8 +52,8 @@ std::string counted(std::size_t count, const std::string& noun) {
 
 std::string vanished_text(const Report& report, double diagonal) {
   const bool are_small = report.largest_vanished_part < 0.05 * diagonal;
-  return counted(report.vanished_parts, are_small ? "small part" : "part") +
-         " vanished, the largest " + distance_text(report.largest_vanished_part, diagonal);
+  return counted(report.vanished_parts, are_small ? "small component" : "component") +
+         " vanished, the largest of size " + distance_text(report.largest_vanished_part, diagonal);
 }
 
 std::string line(const Options& options, const Outcome& outcome) {
@@ -65,14 +65,15 @@ std::string line(const Options& options, const Outcome& outcome) {
             percent_text(static_cast<double>(report.faces_after) /
                          static_cast<double>(report.counted_faces)) +
             (report.counted_faces < report.faces_before
-                 ? " of the " + with_commas(report.counted_faces) + " that count)"
+                 ? " of the " + with_commas(report.counted_faces) + " to be simplified)"
                  : ")");
   if (!options.levels.empty())
     text += " in " + outcome.file;
   text += ", " + duration_text(report.seconds.total());
   if (std::isfinite(report.hausdorff_bound))
     text += ", no point of OUT is further than " +
-            bound_text(report.hausdorff_bound, outcome.diagonal) + " from IN, nor of IN from OUT";
+            bound_text(report.hausdorff_bound, outcome.diagonal) +
+            " from IN, and no point of IN further than that from OUT";
   else if (std::isfinite(report.distance_bound))
     text += ", no point of OUT is further than " +
             bound_text(report.distance_bound, outcome.diagonal) + " from IN";
@@ -82,7 +83,7 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", " + percent_text(rounded_up(report.used_tolerance->part)) + " of " +
             outcome.target.tolerance + " used";
   if (outcome.parts)
-    text += ", by " + counted(outcome.parts->parts, "part") + " in " +
+    text += ", in " + counted(outcome.parts->parts, "chunk") + " in " +
             counted(outcome.parts->phases, "phase") + ", " +
             two_digits(static_cast<double>(outcome.parts->peak_memory) / 1e9) + " GB of memory";
   if (outcome.measured)
@@ -101,7 +102,7 @@ std::string line(const Options& options, const Outcome& outcome) {
                                 .faces = report.counted_faces,
                                 .vertices = report.vertices_before};
   if (options.from.empty() && outcome.target.is_given() && outcome.target.is_coarse_enough(input))
-    text += ": IN meets the target already";
+    text += ": IN already meets the target";
   return text;
 }
 
@@ -255,22 +256,23 @@ public:
     if (are_parts_in_the_way())
       add_parts();
     else if (!is_free_ && counts(Rejection::topology))
-      add("topology is kept", "--topology free lets holes close and thin features become flat");
+      add("topology is kept", "--topology free lets holes close and thin features collapse");
     if (counts(Rejection::seam))
       add_seams();
     if (report_.stop == quadrille::StopReason::target_unreachable)
-      hints_.push_back("it stopped at " + with_commas(report_.faces_after) +
-                       " faces, since most of what is left can lose none, and the rest would have "
-                       "lost its shape");
+      hints_.push_back(
+          "the run stopped at " + with_commas(report_.faces_after) +
+          " faces: most of the remaining regions cannot lose a face, and the others would lose "
+          "their shape");
     if (is_held_by_topology_alone())
-      hints_.push_back("topology alone holds the " + with_commas(report_.faces_after) +
-                       " faces that are left: none of their edges can go without changing it");
+      hints_.push_back("the topology needs all " + with_commas(report_.faces_after) +
+                       " remaining faces: no edge can be contracted without changing it");
     if (are_pairs_of_faces_left())
       hints_.emplace_back(
-          "parts of two faces are left as they are: --faces or --keep asks for fewer");
+          "components of two faces are kept by default: --faces or --keep asks for fewer");
     if (counts(Rejection::constraint) && options_.locks_boundaries)
       hints_.push_back("the boundary is locked (" + refused(Rejection::constraint) +
-                       " contractions refused): --boundary WEIGHT lets it move");
+                       " contractions rejected): --boundary WEIGHT lets it move");
     return std::move(hints_);
   }
 
@@ -281,7 +283,7 @@ private:
   }
 
   void add_trial(const Trial& trial) {
-    std::string text = "with " + trial.option + " it comes to " +
+    std::string text = "with " + trial.option + " the result has " +
                        with_commas(trial.report.faces_after) + " faces, error about " +
                        distance_text(trial.report.error, outcome_.diagonal);
     if (trial.report.vanished_parts > report_.vanished_parts)
@@ -314,36 +316,36 @@ private:
   }
 
   void add_parts() {
-    std::string text = with_commas(report_.components_after) + " parts are left";
+    std::string text = with_commas(report_.components_after) + " components are left";
     if (is_free_ && options_.joins_pairs())
       return;
     if (is_free_) {
-      hints_.push_back(text + ": --pairs joins those that are closer than a distance");
+      hints_.push_back(text + ": --pairs DISTANCE joins those that are closer than that");
       return;
     }
     text += ", and each keeps some faces: ";
     if (!outcome_.trials && topology(options_) != quadrille::Topology::parts_may_vanish)
-      text += "--drop-parts lets small ones vanish, ";
+      text += "--drop-parts removes small ones, ";
     if (!outcome_.trials)
-      text += "--topology free lets holes close and thin features become flat, ";
-    text += outcome_.trials ? "--pairs joins those that are closer than a distance"
-                            : "--pairs also joins parts";
+      text += "--topology free lets holes close and thin features collapse, ";
+    text += outcome_.trials ? "--pairs DISTANCE joins those that are closer than that"
+                            : "--pairs DISTANCE joins components";
     if (!options_.weld && !is_gltf(extension_of(options_.input, options_)))
-      text += ", and --weld TOLERANCE makes vertices one that only nearly touch";
+      text += ", and --weld TOLERANCE merges vertices that nearly touch";
     hints_.push_back(text);
   }
 
   /// Seams of textures are among those that hold only where they are kept.
   void add_seams() {
     const bool holds_textures = options_.seams == quadrille::Seams::kept;
-    std::string text = outcome_.has_labels ? "borders of materials and labels stay" : "";
+    std::string text = outcome_.has_labels ? "boundaries of materials and labels stay" : "";
     if (holds_textures)
-      text += outcome_.has_labels ? ", and seams of textures" : "seams of textures stay";
+      text += outcome_.has_labels ? ", and so do texture seams" : "texture seams stay";
     if (text.empty())
       return;
-    text += " (" + refused(Rejection::seam) + " contractions refused)";
+    text += " (" + refused(Rejection::seam) + " contractions rejected)";
     if (holds_textures)
-      add(text, "--seams soft lets seams vanish where that shows little");
+      add(text, "--seams soft removes seams where this is hardly visible");
     else
       hints_.push_back(text);
   }
@@ -376,7 +378,7 @@ bool tell(const Options& options, const std::vector<Outcome>& outcomes) {
     if (outcome.verdict && !options.is_quiet)
       output_of_figures(options) << outcome.file << ": verified: " << *outcome.verdict << std::endl;
     if (outcome.verdict && !*outcome.verdict)
-      broken = outcome.file + ": what was promised is not kept";
+      broken = outcome.file + ": a promise is not kept";
     if (outcome.is_target_met())
       continue;
     is_reached = false;

@@ -85,10 +85,11 @@ private:
     known.erase("");
     std::string names;
     for (const std::string& name : known)
-      names += (names.empty() ? ", but " : ", ") + in_quotes(name);
+      names += (names.empty() ? "; they have " : ", ") + in_quotes(name);
     throw std::invalid_argument(
         "the faces of IN have no " + in_quotes(item) +
-        (names.empty() ? ", nor any name: an OBJ or a PLY file can give them some" : names));
+        (names.empty() ? "; they have no names at all, but those of OBJ and PLY files can"
+                       : names));
   }
 
   const IndexedMesh& mesh_;

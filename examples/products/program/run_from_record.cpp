@@ -74,8 +74,9 @@ bool run_from_record(const Options& options, ProgressLine& progress) {
   const auto begin = std::chrono::steady_clock::now();
   quadrille::LevelsFile file(options.from);
   if (options.target.error && !std::isfinite(file.coarsest().distance_bound))
-    throw std::runtime_error(options.from + ": the record knows no distances for --error, since " +
-                             "it was made without");
+    throw std::runtime_error(options.from +
+                             ": the record contains no distances for --error, since " +
+                             "it was written by a run without --error");
   const Amount limit = options.target.error.value_or(Amount{});
   Outcome outcome{.file = options.output, .target = options.target, .report = {}};
   if (limit.is_percentage) { // all of the file is read for it

@@ -133,7 +133,8 @@ public:
     print_remarks(options_, meshes);
     if (const std::string& how = meshes.document().compression;
         !how.empty() && options_.compression.empty())
-      print_remark(options_, "it is compressed, OUT is not: --compress " + how + " does it again");
+      print_remark(options_,
+                   "IN is compressed, OUT is not: --compress " + how + " compresses it again");
     placements_ = meshes.placements();
     if (options_.levels.empty()) {
       const Surfaces input =
@@ -246,11 +247,12 @@ private:
         std::any_of(surfaces.begin(), surfaces.end(),
                     [](const GltfSurface& surface) { return surface.has_become_floats(); });
     if (after > before)
-      print_remark(options_, "its buffers have " + with_commas(before) + " bytes, those of OUT " +
-                                 with_commas(after) +
-                                 (are_new_floats ? ": what is promised needs floats, and its "
-                                                   "positions were integers"
-                                                 : ""));
+      print_remark(options_,
+                   "the buffers of IN have " + with_commas(before) + " bytes, those of OUT " +
+                       with_commas(after) +
+                       (are_new_floats
+                            ? ": a promise needs floats, and the positions of IN were integers"
+                            : ""));
   }
 
   void write(GltfDocument document) {

@@ -81,14 +81,18 @@ void orient(const Options& options, IndexedMesh& mesh) {
   if (options.orients)
     winding.turn(mesh);
   if (winding.against() > 0)
-    print_remark(options, options.orients
-                              ? "faces turned, so that neighbours are wound alike: " + count
-                              : "faces wound against their neighbours (--orient makes them agree, "
-                                "for normals, folds and hulls): " +
-                                    count);
+    print_remark(
+        options,
+        options.orients
+            ? "faces turned to agree with their neighbours: " + count
+            : "faces wound against their neighbours (--orient turns them, for correct normals, "
+              "fold-over checks and hulls): " +
+                  count);
   if (winding.one_sided() > 0)
-    print_remark(options, "pieces of one side only, whose faces cannot be wound alike: " +
-                              with_commas(winding.one_sided()));
+    print_remark(
+        options,
+        "one-sided components, whose faces cannot be wound alike: " +
+            with_commas(winding.one_sided()));
 }
 
 namespace {
@@ -100,8 +104,8 @@ void print_remark_of_materials(const Options& options, const IndexedMesh& mesh) 
   };
   for (const std::string& library : mesh.parts.libraries)
     if (is_beside(options.input, library) && !is_beside(options.output, library))
-      print_remark(options, "OUT names the material file " + in_quotes(library, 100) +
-                                ", which is not in its folder: copy it there, with its images");
+      print_remark(options, "OUT refers to the material file " + in_quotes(library, 100) +
+                                ", which is not in its folder: copy it there with its images");
 }
 
 /// Has a mesh anything that a record of positions has not?
@@ -147,9 +151,9 @@ std::vector<std::string> files_of_results(const Options& options) {
 /// May the record be written, and beside the result? Throws if not.
 void require_recordable(const Options& options) {
   if (is_standard_output(options.record))
-    throw std::runtime_error(options.record + ": a record does not go to standard output");
+    throw std::runtime_error(options.record + ": a record cannot be written to standard output");
   if (options.record == options.output)
-    throw std::runtime_error(options.record + ": the record and OUT are one file");
+    throw std::runtime_error(options.record + ": the record and OUT are the same file");
   require_replaceable(options.record, options.is_forced);
 }
 
@@ -253,9 +257,10 @@ private:
     if (!is_rounded && options_.weld.value_or(Amount{}).value == 0)
       return;
     if (!options_.tolerances.empty())
-      throw std::runtime_error(options_.input + ": --weld, or an OUT of floats, moves points, " +
-                               "which --tolerance does not count: make a file of what is welded, " +
-                               "and simplify that into a format of doubles");
+      throw std::runtime_error(
+          options_.input + ": --weld and a single-precision OUT move points, " +
+          "which --tolerance does not account for: write a welded file first, " +
+          "and simplify it into a format with double precision");
     file_ = scene ? std::move(*scene) : read_mesh(source, format_of(options_.input, options_));
     progress_.show_stage("measuring");
     moved_ = distance_between(*file_, mesh, progress_);
@@ -269,8 +274,8 @@ private:
         length_of(*options.target.error, diagonal(file_->points, file_->triangles));
     if (!(moved_ < limit))
       throw std::runtime_error(
-          options.input + ": before anything is simplified, it is up to " + text_of_length(moved_) +
-          " from the file, by --weld or by the numbers of OUT, and --error allows " +
+          options.input + ": --weld or the precision of OUT moves points by up to " +
+          text_of_length(moved_) + " before the simplification begins, and --error allows " +
           text_of_length(limit));
     options.target.error = Amount{limit - moved_, false};
     return options;
@@ -357,8 +362,7 @@ private:
   /// Those that run against each other stay: these are the sides of a sheet.
   void print_remark_of_doubled_faces() const {
     if (const std::size_t faces = outcomes_.front().report.doubled_faces; faces > 0)
-      print_remark(options_, "faces left out for having the corners of another one, the same way "
-                             "round: " +
+      print_remark(options_, "duplicate faces left out (same corners, same winding): " +
                                  std::to_string(faces));
   }
 

@@ -98,7 +98,7 @@ private:
       throw std::runtime_error(
           "--out-of-core reads and writes files, not standard input or output");
     if (options_.memory < 128'000'000)
-      throw std::runtime_error("--memory: that is too little; it has to be at least 128M");
+      throw std::runtime_error("--memory: too little; the least is 128M");
     if (options_.measures || options_.verifies)
       require_input_stays();
     if (keeps_tiles(options_))
@@ -114,9 +114,8 @@ private:
       results.insert(std::filesystem::weakly_canonical(result));
     for (const std::filesystem::path& input : surface_files(options_).paths)
       if (results.count(std::filesystem::weakly_canonical(input)) > 0)
-        throw std::runtime_error(input.string() +
-                                 ": is both IN and OUT, so there will be nothing that OUT could be "
-                                 "measured against by parts");
+        throw std::runtime_error(
+            input.string() + ": is both IN and OUT, so IN will be gone when OUT is to be measured");
   }
 
   bool run_cost() {
@@ -180,7 +179,7 @@ private:
   void simplify(Job& job, std::size_t part) {
     if (part >= job.parts())
       throw std::runtime_error("--step " + options_.step + ": the phase has " +
-                               std::to_string(job.parts()) + " parts, from 0 on");
+                               std::to_string(job.parts()) + " chunks, numbered from 0");
     if (!job.simplify(part, [] { return Interruption::is_asked(); }))
       throw Interrupted();
   }
@@ -200,16 +199,16 @@ private:
       if (count > 0)
         print_remark(options_, std::string(what) + ": " + std::to_string(count));
     };
-    remark(report.short_faces, "faces left out for having fewer than three different corners");
-    remark(report.fans, "polygons cut into fans for being flat or crossing themselves");
-    remark(report.welded_vertices, "vertices welded to another at the same place");
+    remark(report.short_faces, "faces left out (fewer than three different corners)");
+    remark(report.fans, "polygons cut into fans (without area, or crossing themselves)");
+    remark(report.welded_vertices, "vertices merged with another one at the same place");
     if (!report.is_count_exact)
-      print_remark(options_,
-                   "the count of faces is near and not exact: " + with_commas(report.faces_after) +
-                       ", since the whole does not fit into the memory at the end");
-    remark(report.unused_not_finite, "vertices without a face left out for not being finite");
-    remark(report.doubled_faces,
-           "faces left out for having the corners of another one, the same way round");
+      print_remark(
+          options_,
+          "the number of faces is not exact, since the whole result does not fit into memory: " +
+              with_commas(report.faces_after) + "");
+    remark(report.unused_not_finite, "isolated vertices left out (not finite)");
+    remark(report.doubled_faces, "duplicate faces left out (same corners, same winding)");
     Options options = options_;
     options.is_quiet = options.is_quiet || is_step;
     return tell(options, {outcome});
@@ -271,8 +270,8 @@ void print_remark_of_memory(const Options& options) {
   const double needed = bytes_of_face * static_cast<double>(faces.value_or(0));
   if (needed > memory_there_is())
     print_remark(options,
-                 "its " + with_commas(*faces) + " faces take about " + two_digits(needed / 1e9) +
-                     " GB of memory, more than there are: " + "--out-of-core FOLDER takes less");
+                 "its " + with_commas(*faces) + " faces need about " + two_digits(needed / 1e9) +
+                     " GB of memory, more than is available: " + "--out-of-core FOLDER needs less");
 }
 
 } // namespace quadrille_examples

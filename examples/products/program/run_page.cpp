@@ -88,11 +88,13 @@ void write(const Options& options, const PageSource& source, ProgressLine& progr
 
 bool run_page(const Options& options, ProgressLine& progress) {
   if (!options.levels.empty() || !options.record.empty() || options.measures)
-    throw std::runtime_error(options.output + ": a page has all levels: --levels, --record and " +
+    throw std::runtime_error(options.output +
+                             ": a page contains all levels: --levels, --record and " +
                              "--measure do not go with it");
   if (!options.from.empty() && (options.target.is_given() || !options.report.empty()))
-    throw std::runtime_error(options.output + ": a page has all levels of a record: there is no " +
-                             "target and no --report for it");
+    throw std::runtime_error(options.output +
+                             ": a page contains all levels of a record: --report and " +
+                             "targets do not go with it");
   require_replaceable(options.output, options.is_forced);
   PageSource source;
   source.name = std::filesystem::path(options.input).filename();
@@ -104,7 +106,7 @@ bool run_page(const Options& options, ProgressLine& progress) {
   progress.show_stage("reading");
   source.levels = quadrille::read_levels(options.from);
   if (!source.levels.at(quadrille::AfterContractions{0}).channels.empty())
-    source.looks.notes.emplace_back("Attributes of the record are not shown");
+    source.looks.notes.emplace_back("The page does not show the attributes of the record");
   write(options, source, progress);
   return true;
 }
@@ -113,7 +115,7 @@ bool run_page(const Options& options, ProgressLine& progress) {
 
 bool run_page(const Options& options, ProgressLine&) {
   throw std::runtime_error(options.output + ": this program was built without the viewer of " +
-                           "pages (.html), which takes npm and its registry to build");
+                           "pages (.html), which needs npm and its registry");
 }
 
 #endif

@@ -69,8 +69,9 @@ inline std::vector<Options> options_of_files(const Options& options,
   namespace fs = std::filesystem;
   if (!options.report.empty() || !options.record.empty() || !options.from.empty() ||
       !options.scratch.empty())
-    throw std::runtime_error("--into is for several results: --report, --record, --from and "
-                             "--out-of-core do not go with it");
+    throw std::runtime_error(
+        "--into writes several results: --report, --record, --from and --out-of-core do not "
+        "go with it");
   std::vector<std::string> files = {options.input};
   if (!options.output.empty())
     files.push_back(options.output);
@@ -82,10 +83,10 @@ inline std::vector<Options> options_of_files(const Options& options,
     if (!options.output_format.empty())
       output.replace_extension(options.output_format);
     if (!outputs.insert(output).second)
-      throw std::runtime_error(file + ": two files would go to " + output.string());
+      throw std::runtime_error(file + ": two results would be written to " + output.string());
     std::error_code none;
     if (fs::equivalent(file, output, none))
-      throw std::runtime_error(file + ": it lies in the folder of --into, and its result would " +
+      throw std::runtime_error(file + ": it is in the folder of --into, so its result would " +
                                "replace it");
     result.push_back(options);
     result.back().input = file;

@@ -65,9 +65,10 @@ std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& na
       return values_ahead(mesh, numbers.values, is_ahead);
     names += (names.empty() ? "" : ", ") + in_quotes(numbers.name);
   }
-  throw std::invalid_argument(
-      "the vertices of IN have no scalar " + in_quotes(name) +
-      (names.empty() ? ", nor any other: a PLY file can give them some" : ", but " + names));
+  throw std::invalid_argument("the vertices of IN have no scalar " + in_quotes(name) +
+                              (names.empty()
+                                   ? "; they have none at all, but those of a PLY file can"
+                                   : "; they have " + names));
 }
 
 quadrille::SoupOptions soup_options(const Options& options) {

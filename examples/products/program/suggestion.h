@@ -53,22 +53,23 @@ inline std::string closest_option(const CLI::App& app, std::string_view word) {
 /// What an option of other programs is called here; nothing for others.
 inline std::string option_of_others(const std::string& name) {
   static constexpr std::pair<const char*, const char*> names[] = {
-      {"--percent", "--keep takes the fraction of the faces that stays, as 10%"},
-      {"--percentage", "--keep takes the fraction of the faces that stays, as 10%"},
-      {"--reduction", "--keep takes the fraction of the faces that stays, as 10% for 0.9 less"},
+      {"--percent", "--keep takes the fraction of the faces to keep, such as 10%"},
+      {"--percentage", "--keep takes the fraction of the faces to keep, such as 10%"},
+      {"--reduction",
+       "--keep takes the fraction of the faces to keep, such as 10% for a reduction of 0.9"},
       {"--target-reduction",
-       "--keep takes the fraction of the faces that stays, as 10% for 0.9 less"},
+       "--keep takes the fraction of the faces to keep, such as 10% for a reduction of 0.9"},
       {"--target", "--faces takes a count of faces, --keep a fraction of them"},
       {"--target-count", "--faces takes a count of faces, --keep a fraction of them"},
       {"--triangles", "--faces takes a count of faces, --keep a fraction of them"},
       {"--count", "--faces takes a count of faces, --keep a fraction of them"},
-      {"--max-error", "--error takes a distance, as 0.1% of the diagonal"},
-      {"--tolerance-distance", "--error takes a distance, as 0.1% of the diagonal"},
+      {"--max-error", "--error takes a distance, such as 0.1% of the diagonal"},
+      {"--tolerance-distance", "--error takes a distance, such as 0.1% of the diagonal"},
       {"--preserve-border", "--boundary lock keeps boundaries in place"},
       {"--preserve-boundary", "--boundary lock keeps boundaries in place"},
       {"--lock-border", "--boundary lock keeps boundaries in place"},
-      {"--preserve-topology", "--topology kept is the default"},
-      {"--merge", "--weld TOLERANCE joins vertices that nearly touch"}};
+      {"--preserve-topology", "--topology kept does so, and is the default"},
+      {"--merge", "--weld TOLERANCE merges vertices that nearly touch"}};
   for (const auto& [other, answer] : names)
     if (name == other)
       return answer;
@@ -79,11 +80,12 @@ inline std::string option_of_others(const std::string& name) {
 inline std::string complaint_of_further(const std::string& word) {
   const std::optional<Amount> amount = parse_amount(word);
   if (amount && (amount->is_percentage || amount->value < 1))
-    return in_quotes(word) + ": one word too many; did you mean --keep " + word +
-           "? Items of a list have commas between them";
+    return in_quotes(word) + ": unexpected argument; did you mean --keep " + word +
+           "? Separate the items of a list by commas";
   if (amount)
-    return in_quotes(word) + ": one word too many; did you mean --faces " + word + "?";
-  return in_quotes(word) + ": there is one IN and one OUT; --into FOLDER takes several files";
+    return in_quotes(word) + ": unexpected argument; did you mean --faces " + word + "?";
+  return in_quotes(word) +
+         ": unexpected argument after IN and OUT; --into FOLDER simplifies several files";
 }
 
 /// Of the first of the words that is written like an option, else of the first.
@@ -100,7 +102,7 @@ inline std::string complaint_of_unknown(const CLI::App& app,
     return "there is no option " + name + "; " + answer;
   const std::string closest = closest_option(app, name);
   return "there is no option " + name +
-         (closest.empty() ? "; --help lists all" : "; did you mean " + closest + "?");
+         (closest.empty() ? "; --help lists all options" : "; did you mean " + closest + "?");
 }
 
 } // namespace quadrille_examples

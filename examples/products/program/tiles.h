@@ -33,7 +33,7 @@ inline quadrille::SurfaceFiles surface_files(const Options& options) {
     tiles.emplace_back(found.gl_pathv[i]);
   ::globfree(&found);
   if (tiles.empty())
-    throw std::runtime_error(options.input + ": no file has such a name");
+    throw std::runtime_error(options.input + ": no file matches this pattern");
   return tiles;
 }
 

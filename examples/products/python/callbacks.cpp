@@ -23,7 +23,7 @@ using quadrille::Status;
 /// Whether what a function returned is true: numpy's bool is, and a forgotten return is not.
 bool truth_of(const py::object& answer, const char* name) {
   if (answer.is_none())
-    throw py::value_error(std::string(name) + " returned None, neither True nor False");
+    throw py::value_error(std::string(name) + " returned None instead of True or False");
   const int truth = PyObject_IsTrue(answer.ptr());
   if (truth < 0)
     throw py::error_already_set();
@@ -39,7 +39,7 @@ double number_of(const py::object& answer) {
   }
   if (!std::isfinite(cost) || cost < 0)
     throw py::value_error("cost returned " + py::repr(answer).cast<std::string>() +
-                          ", not a number of at least 0");
+                          ", which is negative or not finite");
   return cost;
 }
 
@@ -103,37 +103,36 @@ std::function<bool(const SoupContraction&)> filter_of(const py::object& function
 }
 
 void add_callbacks(py::module_& m) {
-  py::class_<CostedPair>(m, "Pair",
-                         "What a cost function is given: two points that may become one.")
-      .def_readonly("first_index", &CostedPair::first_index, "of the input's points")
+  py::class_<CostedPair>(
+      m, "Pair", "The argument of a cost function: two points that may be contracted to one.")
+      .def_readonly("first_index", &CostedPair::first_index, "an index of the input's points")
       .def_readonly("second_index", &CostedPair::second_index)
       .def_property_readonly("first", place_of<CostedPair, &CostedPair::first>,
-                             "where it is now, of the shape (3,)")
+                             "its current position, of the shape (3,)")
       .def_property_readonly("second", place_of<CostedPair, &CostedPair::second>)
       .def_property_readonly("target", place_of<CostedPair, &CostedPair::target>,
-                             "where both would go")
-      .def_readonly("quadric", &CostedPair::quadric, "what cost='quadric' says that it costs");
-  py::class_<SoupContraction>(m, "Contraction",
-                              "The argument of a filter: the contraction that is about to be done.")
-      .def_readonly("first", &SoupContraction::first, "an end, as an index of the input's points")
+                             "the position of the new point")
+      .def_readonly("quadric", &CostedPair::quadric, "the cost by cost='quadric'");
+  py::class_<SoupContraction>(m, "Contraction", "The argument of a filter: the next contraction.")
+      .def_readonly("first", &SoupContraction::first, "one end, as an index of the input's points")
       .def_readonly("second", &SoupContraction::second)
       .def_property_readonly("target", place_of<SoupContraction, &SoupContraction::target>,
-                             "where both will go, of the shape (3,)")
-      .def_property_readonly("faces", faces_of, "those that change, as indices of the input's")
+                             "the position of the new point, of the shape (3,)")
+      .def_property_readonly("faces", faces_of, "the faces that change, as indices of the input's")
       .def_property_readonly(
           "before",
           [](const SoupContraction& c) { return corners_of(c, &SoupContraction::Face::before); },
-          "their corners, of the shape (faces, 3, 3), the one that moves first")
+          "their current corners, of the shape (faces, 3, 3), the moving corner first")
       .def_property_readonly(
           "after",
           [](const SoupContraction& c) { return corners_of(c, &SoupContraction::Face::after); },
-          "what these will be")
+          "their corners after the contraction")
       .def_property_readonly(
           "removed_faces",
           [](const SoupContraction& c) { return array_of_indices(c.removed_faces); },
-          "those that go, as indices of the input's")
+          "the faces that are removed, as indices of the input's")
       .def_readonly("highest_degree", &SoupContraction::highest_degree,
-                    "how many faces the end with more of them has");
+                    "the larger number of faces at one of the two ends");
 }
 
 } // namespace quadrille_examples

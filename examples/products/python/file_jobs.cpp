@@ -59,8 +59,8 @@ public:
   std::size_t join() override { return job_.join(), job_.parts(); }
   void simplify(std::size_t part) const override {
     if (part >= job_.parts())
-      throw std::out_of_range("part is " + std::to_string(part) + ", and the phase has " +
-                              std::to_string(job_.parts()) + ", from 0 on");
+      throw std::out_of_range("part is " + std::to_string(part) + ", but the phase has " +
+                              std::to_string(job_.parts()) + " parts, numbered from 0");
     Interruptible proceed{py::none()};
     job_.simplify(part, [&] { return !proceed(0); });
   }
@@ -109,26 +109,27 @@ py::tuple reported(FileJob& job, const std::filesystem::path& output) {
 }
 
 void add_status(py::module_& m) {
-  py::class_<FileEstimate>(m, "FileEstimate",
-                           "The estimated resources of simplify_file(), from the file sizes.")
-      .def_readonly("faces", &FileEstimate::faces, "of the input")
-      .def_readonly("memory", &FileEstimate::memory, "of the process at its greatest, in bytes")
+  py::class_<FileEstimate>(
+      m, "FileEstimate",
+      "The resources that simplify_file() will need, estimated from the file sizes.")
+      .def_readonly("faces", &FileEstimate::faces, "faces of the input")
+      .def_readonly("memory", &FileEstimate::memory, "the peak memory of the process, in bytes")
       .def_readonly("scratch", &FileEstimate::scratch,
-                    "in the scratch folder at its greatest, in bytes")
+                    "the peak size of the scratch folder, in bytes")
       .def_readonly("output", &FileEstimate::output,
-                    "of the output, in bytes; 0 if distances are limited")
-      .def_readonly("seconds", &FileEstimate::seconds, "of this process alone");
-  py::class_<FileStatus>(m, "FileStatus", "How far simplify_file() is.")
+                    "the size of the output, in bytes; 0 if distances are limited")
+      .def_readonly("seconds", &FileEstimate::seconds, "the duration with this process alone");
+  py::class_<FileStatus>(m, "FileStatus", "The progress of simplify_file().")
       .def_property_readonly(
           "stage", [](const FileStatus& s) { return to_string(s.stage); },
           "'weld', 'survey', 'partition', 'sample', 'simplify', 'regroup' or 'sew'")
-      .def_readonly("phase", &FileStatus::phase, "from 1 on; 0 while the file is cut")
-      .def_readonly("phases", &FileStatus::phases, "how many there will be, about")
-      .def_readonly("parts", &FileStatus::parts, "of the phase")
+      .def_readonly("phase", &FileStatus::phase, "counted from 1; 0 while the file is cut")
+      .def_readonly("phases", &FileStatus::phases, "the expected number of phases")
+      .def_readonly("parts", &FileStatus::parts, "the number of chunks of the phase")
       .def_readonly("parts_done", &FileStatus::parts_done)
-      .def_readonly("faces", &FileStatus::faces, "of the input")
+      .def_readonly("faces", &FileStatus::faces, "faces of the input")
       .def_readonly("progress", &FileStatus::progress,
-                    "the approximate fraction that is done, from 0 to 1")
+                    "the approximate completed fraction, from 0 to 1")
       .def_readonly("estimate", &FileStatus::estimate)
       .def("__repr__", [](const FileStatus& s) {
         return "<quadrille.FileStatus: " + std::string(to_string(s.stage)) + ", phase " +

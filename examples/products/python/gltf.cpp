@@ -38,7 +38,7 @@ simplify_gltf(const std::filesystem::path& in, const std::filesystem::path& out,
   const py::gil_scoped_release unlocked;
   GltfMeshes meshes = GltfMeshes::read_shared(in, labels);
   if (meshes.surfaces().empty())
-    throw std::invalid_argument(in.string() + ": there are no triangles to simplify");
+    throw std::invalid_argument(in.string() + ": it has no triangles to simplify");
   std::vector<std::string> remarks = remarks_of(meshes, in, out, false);
   const Report report =
       GltfSceneSurface(meshes.surfaces(), meshes.placements())

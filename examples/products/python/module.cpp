@@ -315,7 +315,7 @@ void add_files(py::module_& m) {
 } // namespace
 
 PYBIND11_MODULE(_core, m) {
-  m.doc() = "What the module quadrille calls.";
+  m.doc() = "The compiled part of the module quadrille.";
   m.attr("version") = std::to_string(QUADRILLE_VERSION_MAJOR) + '.' +
                       std::to_string(QUADRILLE_VERSION_MINOR) + '.' +
                       std::to_string(QUADRILLE_VERSION_PATCH);

@@ -62,7 +62,7 @@ using StatusNumbers = decltype(numbers_of(quadrille::Status{}));
 template <class Enum>
 Enum value_of(int number, int count) {
   if (number < 0 || number >= count)
-    throw py::value_error("a broken pickle: " + std::to_string(number) + " names nothing");
+    throw py::value_error("a broken pickle: " + std::to_string(number) + " has no entry");
   return static_cast<Enum>(number);
 }
 
@@ -128,18 +128,18 @@ Enum named(std::string_view name, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     if (to_string(static_cast<Enum>(i)) == name)
       return static_cast<Enum>(i);
-  throw py::value_error("this is no report: it has the unknown word '" + std::string(name) + "'");
+  throw py::value_error("not a report: it has the unknown key '" + std::string(name) + "'");
 }
 
 /// What a dict has by a name. Throws if that is missing, or something else.
 template <class T>
 T member(const py::dict& dict, const char* name) {
   if (!dict.contains(name))
-    throw py::value_error(std::string("this is no report: it has no ") + name);
+    throw py::value_error(std::string("not a report: it has no ") + name);
   try {
     return dict[name].cast<T>();
   } catch (const py::cast_error&) {
-    throw py::value_error(std::string("this is no report: its ") + name + " is " +
+    throw py::value_error(std::string("not a report: its ") + name + " is " +
                           py::repr(dict[name]).cast<std::string>());
   }
 }
@@ -197,13 +197,13 @@ inline void add_status(py::module_& m) {
   py::class_<Status>(m, "Status", "The argument of a progress function.")
       .def_readonly("initial_faces", &Status::initial_faces)
       .def_readonly("initial_vertices", &Status::initial_vertices)
-      .def_readonly("faces", &Status::faces, "how many there are now")
+      .def_readonly("faces", &Status::faces, "the current number of faces")
       .def_readonly("vertices", &Status::vertices)
       .def_readonly("contractions", &Status::contractions)
       .def_readonly("next_error", &Status::next_error)
-      .def_readonly("diagonal", &Status::diagonal, "of the input's bounding box")
+      .def_readonly("diagonal", &Status::diagonal, "the diagonal of the input's bounding box")
       .def_readonly("progress", &Status::progress,
-                    "the fraction that is done, from 0 to 1; 1 at the end only")
+                    "the completed fraction, from 0 to 1; 1 only at the end")
       .def(py::pickle([](const Status& status) { return numbers_of(status); }, &status_of));
 }
 
@@ -213,15 +213,15 @@ inline void add_dicts(py::class_<quadrille::Report>& report) {
   report.def(py::pickle([](const Report& r) { return dict_of(r); }, &report_of))
       .def(
           "to_dict", [](const Report& r) { return dict_of(r); },
-          "All of it by name, with nothing but what JSON has: an infinite bound is None, and "
-          "seconds are given by phase.")
-      .def_static("from_dict", report_of, "The report that to_dict() has made this of.")
+          "Returns all figures by name, as values that JSON can represent: an infinite bound "
+          "is None, and seconds are given by phase.")
+      .def_static("from_dict", report_of, "Returns the report that to_dict() has converted.")
       .def(
           "to_json", [=](const Report& r) { return json("dumps")(dict_of(r)); },
-          "The same as a str.")
+          "Returns to_dict() as a JSON str.")
       .def_static(
           "from_json", [=](const py::str& text) { return report_of(json("loads")(text)); },
-          "The report that to_json() has made this of.")
+          "Returns the report that to_json() has converted.")
       .def("keys", [](const Report& r) { return dict_of(r).attr("keys")(); })
       .def("__getitem__",
            [](const Report& r, const char* name) { return dict_of(r).attr("__getitem__")(name); })
@@ -235,46 +235,47 @@ inline void add_report(py::module_& m) {
   py::class_<Report> report(m, "Report", "What simplify() did. str(report) is one line.");
   report.def_readonly("faces_before", &Report::faces_before)
       .def_readonly("faces_after", &Report::faces_after)
-      .def_readonly("counted_faces", &Report::counted_faces,
-                    "of the input, without degenerate and doubled ones: what shares are of")
+      .def_readonly(
+          "counted_faces", &Report::counted_faces,
+          "the faces of the input without degenerate and duplicate ones; ratios refer to them")
       .def_readonly("doubled_faces", &Report::doubled_faces,
-                    "of the input, left out for having the corners of another one")
+                    "the faces of the input that were left out as duplicates")
       .def_readonly("vertices_before", &Report::vertices_before)
       .def_readonly("vertices_after", &Report::vertices_after)
-      .def_readonly("contractions", &Report::contractions, "pairs of vertices made one")
+      .def_readonly("contractions", &Report::contractions, "the number of contracted pairs")
       .def_readonly("non_edge_contractions", &Report::non_edge_contractions)
       .def_readonly("components_before", &Report::components_before)
       .def_readonly("components_after", &Report::components_after)
       .def_readonly("vanished_parts", &Report::vanished_parts,
-                    "those that went whole, with any topology")
+                    "the number of components that were removed entirely")
       .def_readonly("largest_vanished_part", &Report::largest_vanished_part,
-                    "the diagonal of the bounding box of the largest of them")
+                    "the diagonal of the bounding box of the largest removed component")
       .def_readonly("non_manifold_edges", &Report::non_manifold_edges)
       .def_readonly("non_manifold_vertices", &Report::non_manifold_vertices)
       .def_readonly("error", &Report::error,
-                    "an estimate of the greatest distance, in the units of the points; no bound")
+                    "an estimate of the largest distance, in the units of the points; not a bound")
       .def_readonly("distance_bound", &Report::distance_bound,
-                    "no point of the result is further from the input; infinite but with error= "
-                    "and relative_error=")
-      .def_readonly("hausdorff_bound", &Report::hausdorff_bound,
-                    "nor any point of the input further from the result; infinite but with "
-                    "both_ways=True")
+                    "no point of the result is further from the input; infinite without error= or "
+                    "relative_error=")
+      .def_readonly(
+          "hausdorff_bound", &Report::hausdorff_bound,
+          "no point of the input is further from the result, or the other way round; infinite "
+          "without both_ways=True")
       .def_property_readonly(
           "used_tolerance", [](const Report& r) { return numbers_of(r.used_tolerance); },
-          "how much of its tolerance a triangle has used at most, 1 if all may be, and the middle "
-          "of "
-          "that triangle of the result; None but with tolerance")
+          "the largest fraction of its tolerance that a triangle may have used, and the centre "
+          "of that triangle in the result; None without tolerance")
       .def_property_readonly(
           "self_intersections", [](const Report& r) { return pair_of(r.self_intersections); },
-          "how many pairs of faces of the input intersect, and of the result; None but with "
-          "no_self_intersection=True")
+          "the numbers of intersecting pairs of faces in the input and in the result; None "
+          "without no_self_intersection=True")
       .def_readonly("volume_before", &Report::volume_before,
-                    "that the input encloses; None but with hull and keep_volume")
-      .def_readonly("volume_after", &Report::volume_after, "that the result encloses")
+                    "the volume that the input encloses; None without hull or keep_volume")
+      .def_readonly("volume_after", &Report::volume_after, "the volume that the result encloses")
       .def_readonly(
           "normal_bound_degrees", &quadrille::Report::normal_bound_degrees,
-          "no normal of the result is further from those of the input that it stands for; None but "
-          "with normal_deviation")
+          "no normal of the result deviates by more than this from the normals of the input "
+          "that it replaces; None without normal_deviation")
       .def("__repr__", [](const Report& r) { return "<quadrille.Report: " + text_of(r) + '>'; })
       .def("__str__", text_of);
   add_dicts(report);
@@ -284,9 +285,9 @@ inline void add_report(py::module_& m) {
       "'target unreachable' or 'cancelled'");
   report.def_property_readonly(
       "is_target_reached", [](const Report& r) { return is_target_reached(r.stop); },
-      "whether the target was met, or passed by a face or so");
+      "whether the target was met, exactly or almost");
   report.def_property_readonly(
-      "seconds", [](const Report& r) { return r.seconds.total(); }, "that it took");
+      "seconds", [](const Report& r) { return r.seconds.total(); }, "the duration of the call");
   report.def_property_readonly(
       "rejections", [](const Report& r) { return counts_of(r.rejections); },
       "the number of rejected contractions, by cause");

@@ -67,7 +67,7 @@ Enum chosen(const std::array<Named<Enum>, n>& choices, std::string_view option,
     names += (names.empty() ? "" : ", ") + std::string(choice.name);
   }
   throw std::invalid_argument(std::string(option) + " is \"" + std::string(name) +
-                              "\", which is none of " + names);
+                              "\", which is not one of " + names);
 }
 
 [[noreturn]] inline void refuse_option(std::string_view name) {

@@ -21,7 +21,7 @@ inline bool proceed(const quadrille::Status& status) {
       status.progress, static_cast<double>(status.faces), static_cast<double>(status.vertices),
       static_cast<double>(status.contractions), status.next_error, status.diagonal);
   if (answer < 0)
-    throw std::runtime_error("quadrille: the progress function has thrown");
+    throw std::runtime_error("quadrille: the progress function threw an exception");
   return answer != 0;
 }
 

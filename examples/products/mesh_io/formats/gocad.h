@@ -65,7 +65,7 @@ private:
   void begin_object() {
     is_in_object_ = true;
     vertices_.clear();
-    soup_.losses.add("surfaces as parts of their own");
+    soup_.losses.add("the separation into surfaces");
   }
 
   void end_object() {

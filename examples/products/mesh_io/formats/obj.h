@@ -172,7 +172,7 @@ private:
     soup_.points.emplace_back(x, y, lines_.next_number("coordinate"));
     const std::size_t more = lines_.words_left();
     if (more > 4 || more == 2 || (more == 1 && parse_number(lines_.peek_word()) != 1))
-      soup_.losses.add("numbers of vertices behind their coordinates"); // as weights of curves
+      soup_.losses.add("extra numbers of vertices"); // as weights of curves
     if (more == 3 || more == 4)
       read_color(more);
   }
@@ -214,7 +214,7 @@ private:
     const auto first = indices.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto without = std::count(first, indices.end(), PolygonSoup::no_value);
     if (without > 0 && without < indices.end() - first)
-      soup_.losses.add(std::string(what) + " of faces that have them at some corners only");
+      soup_.losses.add(std::string(what) + " of faces that have them only at some corners");
     return without == 0;
   }
 

@@ -46,7 +46,7 @@ public:
 private:
   void read_header() {
     if (!lines_.next_line())
-      lines_.fail("not an OFF file: it holds comments only");
+      lines_.fail("not an OFF file: it contains only comments");
     const std::string_view word = lines_.next_word();
     const std::size_t length = word.find_last_not_of("+-0123456789") + 1;
     if (length < word.size()) // a count, without a blank or without a keyword before it
@@ -79,7 +79,7 @@ private:
            take("4", is_homogeneous_)) {
     }
     if (rest != "OFF")
-      lines_.fail("not an OFF file of three dimensions: it starts with " + in_quotes(word));
+      lines_.fail("not a three-dimensional OFF file: it starts with " + in_quotes(word));
     if (lines_.peek_word() == "BINARY")
       lines_.fail("binary OFF is not supported");
     if (has_normals_)
@@ -119,7 +119,7 @@ private:
       soup_.texture_coordinates.push_back({s, lines_.next_number("texture coordinate")});
     }
     if (!lines_.at_line_end())
-      soup_.losses.add("numbers of vertices that the keyword does not name");
+      soup_.losses.add("extra numbers of vertices");
   }
 
   /// Three or four values: the fourth, opacity, is often left out.

@@ -72,7 +72,8 @@ private:
       fail(source_.path, "the header declares no element 'vertex'");
     vertex_count_ = header_.elements[vertices].count;
     if (vertex_count_ > most_points)
-      fail(source_.path, std::to_string(vertex_count_) + " vertices do not fit 32-bit indices");
+      fail(source_.path,
+           std::to_string(vertex_count_) + " vertices do not fit into 32-bit indices");
   }
 
   /// The place of the element of a kind, or behind all of them.

@@ -49,7 +49,7 @@ inline PolygonSoup read_stl_facets(std::string_view bytes, std::size_t facets) {
     colors.values.push_back(is_color ? facet.attribute : 0);
     is_any |= is_color;
     if (facet.attribute != 0 && !is_color)
-      soup.losses.add("attributes of facets that are no colours");
+      soup.losses.add("attributes of facets that are not colours");
   }
   if (is_any) {
     soup.face_numbers.push_back(std::move(colors));
@@ -62,7 +62,7 @@ inline PolygonSoup read_stl_facets(std::string_view bytes, std::size_t facets) {
 inline PolygonSoup read_binary_stl(const Source& source) {
   const std::string_view bytes = source.content;
   if (bytes.size() < stl_header_size)
-    fail(source.path, "neither a text STL file, nor long enough for a binary one");
+    fail(source.path, "neither a text STL file nor long enough for a binary one");
   const std::uint64_t facets = quadrille::internal::stl_facet_count(bytes);
   const std::uint64_t held = (bytes.size() - stl_header_size) / stl_facet_size;
   if (held < facets)
@@ -251,7 +251,7 @@ inline std::string encode_stl(const IndexedMesh& mesh) {
   std::vector<Point> rounded; // beforehand, lest CGAL divide by lengths that underflow
   const auto round = [](double coordinate) {
     if (std::abs(coordinate) > std::numeric_limits<float>::max())
-      throw std::runtime_error("a coordinate is too large for STL, which is of single precision");
+      throw std::runtime_error("a coordinate is too large for STL, which uses single precision");
     return double{static_cast<float>(coordinate)};
   };
   for (const Point& p : mesh.points)

@@ -37,7 +37,7 @@ inline std::string decode_base64(std::string_view text) {
   for (const char digit : text) {
     const std::size_t value = base64_digits.find(digit);
     if (value == std::string_view::npos)
-      throw std::runtime_error("a data URI has a character that is not of base64");
+      throw std::runtime_error("a data URI has a character that does not belong to base64");
     bits = bits << 6 | static_cast<std::uint32_t>(value);
     count += 6;
     if (count < 8)

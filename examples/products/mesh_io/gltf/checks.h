@@ -63,8 +63,9 @@ private:
     const Json* const required = member(json, "extensionsRequired");
     for (const Json& name : required && required->is_array() ? *required : Json::array())
       if (name.is_string() && !is_known(name.get<std::string>()))
-        remarks_.push_back("it requires the extension " + in_quotes(name.get<std::string>(), 60) +
-                           ", which is not known here: what that says goes through as it is");
+        remarks_.push_back(
+            "IN requires the extension " + in_quotes(name.get<std::string>(), 60) +
+            ", which Quadrille does not know: its data are passed through unchanged");
   }
 
   void look_at_images(const Json& json, const std::filesystem::path& path) {
@@ -107,7 +108,7 @@ private:
             if (joint >= static_cast<double>(count))
               beyond.insert(static_cast<std::size_t>(joint));
     if (!beyond.empty())
-      remarks_.push_back("vertices of mesh " + std::to_string(primitive.mesh) + " name joint " +
+      remarks_.push_back("vertices of mesh " + std::to_string(primitive.mesh) + " refer to joint " +
                          std::to_string(*beyond.begin()) + ", but their skin has " +
                          std::to_string(count) + " joints");
   }

@@ -17,8 +17,9 @@ namespace quadrille_examples {
 namespace {
 
 [[noreturn, maybe_unused]] void refuse(const std::string& library, const std::string& tool) {
-  throw std::runtime_error("this was built without " + library +
-                           ", which compresses so; compress OUT by another tool: " + tool);
+  throw std::runtime_error(
+      "this program was built without " + library +
+      ", which this compression needs; compress OUT with another tool: " + tool);
 }
 
 } // namespace

@@ -35,8 +35,8 @@ constexpr const char* draco_name = "KHR_draco_mesh_compression";
 constexpr const char* meshopt_names[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 
 [[noreturn, maybe_unused]] void refuse(const std::string& library, const std::string& tool) {
-  throw std::runtime_error("it is compressed, and this was built without " + library +
-                           ", which reads that; decode it first: " + tool);
+  throw std::runtime_error("it is compressed, and this program was built without " + library +
+                           ", which reading it needs; decompress it first: " + tool);
 }
 
 /// Does something, and tells what is wrong of an extension.
@@ -90,7 +90,7 @@ void decode_view([[maybe_unused]] GltfDocument& document, [[maybe_unused]] Json&
   if (stride > 256 || count > most || count * stride > most ||
       count * stride > count_of(view, "byteLength") || buffer >= document.buffers.size() ||
       offset > std::numeric_limits<std::uint32_t>::max())
-    throw std::runtime_error("a compressed buffer view has sizes that do not go together");
+    throw std::runtime_error("a compressed buffer view has inconsistent sizes");
   std::string decoded(count * stride, '\0');
   decode_view(decoded, bytes, how, count, stride);
   std::string& target = document.buffers[buffer];
@@ -134,7 +134,7 @@ public:
     const draco::Mesh& mesh = mesh_of(view);
     const Json* const ids = member(how, "attributes");
     if (!ids || !member(primitive, "attributes"))
-      throw std::runtime_error("a primitive that is compressed has no 'attributes'");
+      throw std::runtime_error("a compressed primitive has no 'attributes'");
     for (const auto& [name, id] : ids->items())
       if (member(primitive["attributes"], name))
         write_attribute(view, mesh, count_of(*ids, name.c_str()),
@@ -154,7 +154,7 @@ private:
     draco::Decoder decoder;
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
     if (!decoded.ok())
-      throw std::runtime_error(std::string("a primitive that Draco has compressed cannot be ") +
+      throw std::runtime_error(std::string("a primitive compressed by Draco cannot be ") +
                                "decoded: " + decoded.status().error_msg());
     mesh = std::move(decoded).value();
     return *mesh;
@@ -169,8 +169,8 @@ private:
     Json& json = json_of(accessor);
     const ElementType type(json);
     if (!attribute || static_cast<std::size_t>(attribute->num_components()) != type.components)
-      throw std::runtime_error("an attribute that Draco has compressed is of another type, or " +
-                               std::string("not there"));
+      throw std::runtime_error("an attribute compressed by Draco has another type, or is " +
+                               std::string("missing"));
     std::string bytes;
     for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
       append(*attribute, attribute->mapped_index(point), type, bytes);
@@ -204,7 +204,7 @@ private:
     std::array<Number, 4> numbers{};
     if (!attribute.ConvertValue<Number>(value, static_cast<std::int8_t>(type.components),
                                         numbers.data()))
-      throw std::runtime_error("an attribute that Draco has compressed is of another type");
+      throw std::runtime_error("an attribute compressed by Draco has another type");
     for (std::size_t i = 0; i < type.components; ++i)
       append_little_endian(bytes, numbers[i]);
   }
@@ -231,7 +231,7 @@ private:
   bool is_new(std::size_t view, std::size_t accessor) {
     const auto [place, is_new] = views_.try_emplace(accessor, view);
     if (place->second != view)
-      throw std::runtime_error("two primitives that Draco has compressed share an accessor");
+      throw std::runtime_error("two primitives compressed by Draco share an accessor");
     return is_new;
   }
 
@@ -244,7 +244,7 @@ private:
   void put(Json& accessor, std::size_t old_view, std::size_t count, std::string bytes,
            std::size_t stride) {
     if (bytes.empty())
-      throw std::runtime_error("a primitive that Draco has compressed is empty");
+      throw std::runtime_error("a primitive compressed by Draco is empty");
     std::string& buffer = document_.buffers.at(0);
     buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
     Json view = {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", bytes.size()}};

@@ -61,7 +61,8 @@ inline GlbChunks glb_chunks(std::string_view bytes) {
   const std::size_t length = little_endian_at<std::uint32_t>(bytes, 8);
   if (length > bytes.size())
     throw std::runtime_error("the file is cut off: it has " + std::to_string(bytes.size()) +
-                             " of the " + std::to_string(length) + " bytes that it says");
+                             " of the " + std::to_string(length) +
+                             " bytes that its header declares");
   GlbChunks chunks;
   for (std::size_t at = glb_header_size; at < length;) {
     if (length - at < glb_chunk_header_size)
@@ -97,7 +98,7 @@ inline std::string decoded_uri(const std::string& uri) {
     i += 2;
   }
   if (name.find('\0') != std::string::npos || name.find("://") != std::string::npos)
-    throw std::runtime_error("the URI " + in_quotes(uri) + " names no file");
+    throw std::runtime_error("the URI " + in_quotes(uri) + " does not name a file");
   return name;
 }
 
@@ -107,7 +108,7 @@ inline std::string bytes_of_uri(const std::string& uri, const std::filesystem::p
     return read_content(document.parent_path() / decoded_uri(uri));
   const std::size_t comma = uri.find(',');
   if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64"))
-    throw std::runtime_error("a data URI that is not of base64");
+    throw std::runtime_error("a data URI that is not base64");
   return decode_base64(std::string_view(uri).substr(comma + 1));
 }
 
@@ -122,11 +123,11 @@ public:
     const GlbChunks chunks =
         is_binary ? glb_chunks(source_.content) : GlbChunks{source_.content, {}, false};
     if (chunks.has_others)
-      throw std::runtime_error("it has chunks of types that glTF does not know");
+      throw std::runtime_error("it has chunks of unknown types");
     GltfDocument document{parse_json(chunks.json), {}};
     const Json* const asset = member(document.json, "asset");
     if (!asset)
-      throw std::runtime_error("no glTF document: it has no 'asset'");
+      throw std::runtime_error("not a glTF document: it has no 'asset'");
     if (const std::string version = text_of(*asset, "version"); !version.starts_with("2."))
       throw std::runtime_error("glTF of version " + in_quotes(version) + ", not 2");
     for_each_element(document.json, "buffers", [&](const Json& buffer) {

@@ -76,7 +76,7 @@ public:
         take_in(document, document.json["images"][i], *bytes, is_binary);
       else if (bytes)
         remarks.push_back("the image " + in_quotes(uri, 100) +
-                          " is of no known type: OUT names it as IN does");
+                          " is of an unknown type: OUT refers to it as IN does");
     }
     return remarks;
   }

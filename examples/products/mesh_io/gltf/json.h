@@ -32,7 +32,7 @@ inline Json parse_json(std::string_view text) {
   try {
     return Json::parse(text.begin(), text.end(), require_flat);
   } catch (const Json::exception& error) {
-    throw std::runtime_error(std::string("not a JSON text: ") + error.what());
+    throw std::runtime_error(std::string("not valid JSON: ") + error.what());
   }
 }
 
@@ -52,7 +52,8 @@ inline std::size_t count_of(const Json& object, const char* key,
   if (!value && by_default)
     return *by_default;
   if (!value || !value->is_number_integer() || *value < 0)
-    throw std::runtime_error("'" + std::string(key) + "' is " + (value ? "no count" : "missing"));
+    throw std::runtime_error("'" + std::string(key) + "' is " +
+                             (value ? "not a count" : "missing"));
   return value->get<std::size_t>();
 }
 

@@ -36,7 +36,7 @@ public:
   static void require_none(const Json& document) {
     for_each_element(document, "nodes", [](const Json& node) {
       if (extension_of(node, extension))
-        throw std::runtime_error("its nodes have levels of detail already (MSFT_lod)");
+        throw std::runtime_error("its nodes already have levels of detail (MSFT_lod)");
     });
   }
 
@@ -46,7 +46,8 @@ public:
     if (std::none_of(surfaces.begin(), surfaces.end(), [&](const GltfSurface& surface) {
           return !shown_of(document, surface.mesh(), firsts).empty();
         }))
-      throw std::runtime_error("it has no node with a mesh of triangles, which could have levels");
+      throw std::runtime_error(
+          "it has no node with a triangle mesh, so there is nothing to make levels of");
   }
 
   /// Surfaces that have got meshes of their own, and the meshes that share what these have.

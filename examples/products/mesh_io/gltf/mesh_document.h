@@ -81,7 +81,7 @@ private:
         MaterialLibrary::read(read_content(source_.parent_path() / library), library_);
       } catch (const std::runtime_error&) {
         remarks_.push_back("the material file " + in_quotes(library, 100) +
-                           " is not there: materials have their names only");
+                           " is missing: materials have only their names");
       }
   }
 
@@ -143,7 +143,7 @@ private:
       json_["textures"].push_back({{"source", image}});
       return json_["textures"].size() - 1;
     } catch (const std::runtime_error&) {
-      remarks_.push_back("the image " + in_quotes(file, 100) + " is not there, or is none");
+      remarks_.push_back("the image " + in_quotes(file, 100) + " is missing, or is not an image");
       return std::nullopt;
     }
   }
@@ -222,7 +222,7 @@ private:
       const std::array<double, N> value = value_of(vertex);
       for (std::size_t k = 0; k < N; ++k) {
         if (!(std::abs(value[k]) <= std::numeric_limits<float>::max()))
-          throw std::runtime_error("a number is too large for glTF, which is of single precision");
+          throw std::runtime_error("a number is too large for glTF, which uses single precision");
         const auto number = static_cast<float>(value[k]);
         low[k] = std::min(low[k], number);
         high[k] = std::max(high[k], number);

@@ -73,7 +73,7 @@ private:
 
   static std::size_t index_of(const Json& number) {
     if (!number.is_number_integer() || number < 0)
-      throw std::runtime_error("a number of a node is none");
+      throw std::runtime_error("a node has a value that is not a number");
     return number.get<std::size_t>();
   }
   static std::size_t require_below(std::size_t index, std::size_t count) {

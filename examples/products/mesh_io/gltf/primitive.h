@@ -166,7 +166,7 @@ private:
     const Elements indices(document_, count_of(json_, "indices"));
     const ElementType& type = indices.type();
     if (type.components != 1 || type.component.is_signed)
-      throw std::runtime_error("the indices of " + indices.name() + " are no unsigned integers");
+      throw std::runtime_error("the indices of " + indices.name() + " are not unsigned integers");
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const double index = indices.stored(i, 0);
       if (index >= static_cast<double>(vertex_count()))

@@ -50,7 +50,7 @@ private:
       if (size_of(json_, what) > 0)
         mesh_.losses.add(what);
     if (size_of(json_, "materials") > 0)
-      mesh_.losses.add("looks of materials");
+      mesh_.losses.add("properties of materials");
     if (size_of(json_, "images") > 0)
       mesh_.losses.add("images");
   }

@@ -37,8 +37,9 @@ public:
   static void require_one_kind(const std::vector<GltfPrimitive>& primitives) {
     for (const GltfPrimitive& primitive : primitives)
       if (types(primitive) != types(primitives.front()))
-        throw std::runtime_error("the primitives of a mesh differ in what joints and weights they "
-                                 "have, or in their types");
+        throw std::runtime_error(
+            "the primitives of a mesh differ in their joints and weights, or in the types of "
+            "these");
   }
 
   /// Takes a vertex of a primitive in. Of several ones at a point the first tells, lest the surface

@@ -40,7 +40,7 @@ public:
     mesh_.stl_header = std::move(soup_.stl_header);
     mesh_.points = std::move(soup_.points);
     if (mesh_.points.size() > most_points)
-      fail(path_, "more vertices than 32-bit indices can tell apart");
+      fail(path_, "more vertices than 32-bit indices can number");
     require_finite_corners();
     convert_colors();
     convert_textures();
@@ -54,9 +54,10 @@ public:
     const std::vector<std::uint32_t> firsts =
         weld == Weld::places ? first_at_places(mesh_.points)
                              : SurfaceJoining::first_vertices(mesh_.points, mesh_.triangles);
-    remark(VertexJoining::join(mesh_, firsts), "vertices welded to another at the same place");
+    remark(VertexJoining::join(mesh_, firsts),
+           "vertices merged with another one at the same place");
     drop_degenerate_triangles();
-    remark(degenerate_triangles_, "triangles left out for having two equal corners");
+    remark(degenerate_triangles_, "triangles left out (two equal corners)");
     return std::move(mesh_);
   }
 
@@ -92,8 +93,8 @@ private:
       if (const auto guess = guess_unit(mesh_.colors, mesh_.color_type))
         mesh_.remarks.push_back(*guess);
     const auto [not_numbers, out_of_range] = mend_colors(mesh_.colors, mesh_.color_type);
-    remark(not_numbers, "colour values that are not numbers, taken as 0");
-    remark(out_of_range, "colour values out of range, taken as its nearest end");
+    remark(not_numbers, "colour values that are not numbers, replaced by 0");
+    remark(out_of_range, "colour values out of range, clamped");
   }
 
   void convert_textures() {
@@ -103,7 +104,7 @@ private:
       mesh_.corner_textures.values = std::move(soup_.texture_table);
     remark(replace_not_finite(mesh_.texture_coordinates, {0, 0}) +
                replace_not_finite(mesh_.corner_textures.values, {0, 0}),
-           "texture coordinates that are not finite, taken as 0");
+           "texture coordinates that are not finite, replaced by 0");
   }
 
   void convert_normals() {
@@ -111,7 +112,7 @@ private:
     if (soup_.parts.has(&FacePart::has_normals))
       mesh_.corner_normals.values = std::move(soup_.normal_table);
     remark(replace_not_finite(mesh_.corner_normals.values, {0, 0, 1}),
-           "normals that are not finite, taken as (0, 0, 1)");
+           "normals that are not finite, replaced by (0, 0, 1)");
   }
 
   template <std::size_t N>
@@ -131,7 +132,7 @@ private:
     for (const NamedNumbers& numbers : soup_.face_numbers)
       mesh_.face_numbers.push_back({numbers.name, numbers.type, {}});
     remark(mend_numbers(mesh_.vertex_numbers) + mend_numbers(soup_.face_numbers),
-           "integers out of the range of their type, taken as its nearest end");
+           "integers out of the range of their type, clamped");
   }
 
   void triangulate() {
@@ -144,8 +145,8 @@ private:
       else
         not_simple += !append_polygon(i);
     }
-    remark(too_few_corners, "faces left out for having fewer than three different corners");
-    remark(not_simple, "polygons cut into fans for being flat or crossing themselves");
+    remark(too_few_corners, "faces left out (fewer than three different corners)");
+    remark(not_simple, "polygons cut into fans (without area, or crossing themselves)");
     soup_.parts.of_faces = std::move(mesh_.parts.of_faces);
     mesh_.parts = std::move(soup_.parts);
   }
@@ -214,7 +215,7 @@ private:
     if (dropped == 0)
       return;
     keep_points(mesh_, kept);
-    remark(dropped, "vertices without a face left out for not being finite");
+    remark(dropped, "isolated vertices left out (not finite)");
   }
 
   void drop_degenerate_triangles() {

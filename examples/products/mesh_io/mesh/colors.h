@@ -68,13 +68,13 @@ inline std::optional<std::string> guess_unit(const std::vector<Color>& colors, C
       return std::nullopt;
     type.full = 1;
     type.is_whole = false;
-    return "colours of whole numbers 0 and 1 are taken as fractions";
+    return "colours that are all 0 or 1 are taken as fractions";
   }
   type.full = numbers.look_like_bytes() ? 255 : 1;
   if (type.full == 255)
-    return "colours with most numbers above 1 are taken as 0 to 255";
+    return "colours are taken as 0 to 255, since most of their values are above 1";
   if (numbers.above_one() > 0)
-    return "colours are taken as fractions; numbers above 1, which stay as they are: " +
+    return "colours are taken as fractions; values above 1, which are kept unchanged: " +
            std::to_string(numbers.above_one());
   return std::nullopt;
 }

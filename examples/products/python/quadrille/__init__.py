@@ -7,19 +7,19 @@
 
     points, faces = quadrille.simplify(points, faces, ratio=0.1)      # arrays of numpy
 
-simplify    does it; see help(quadrille.simplify)
-Mesh        points, faces, and what goes along: uv, normals, colors, attributes, labels
-Channel     values of one of these with options: how much it counts, what becomes of its seams
-Simplified  what simplify() returns: a Mesh with a report
+simplify    simplifies a surface; see help(quadrille.simplify)
+Mesh        points and faces with uv, normals, colors, attributes and labels
+Channel     the values of an attribute, with options for its weight and its seams
+Simplified  the result of simplify(): a Mesh with a report
 Levels      all levels of detail of a surface from one run, in memory and in a file
 read_mesh, write_mesh  files: OFF, OBJ, PLY, STL, GOCAD
 simplify_gltf  glTF documents, from file to file
-simplify_file, FileJob  surfaces larger than memory, from file to file, by parts
-curvature_importance, view_importance  for simplify(importance=...): where more faces stay
+simplify_file, FileJob  surfaces larger than memory, from file to file, in chunks
+curvature_importance, view_importance  for simplify(importance=...): where to keep more faces
 surface_distance  how far two surfaces are from each other
-verify      does a result keep what was promised of it?
+verify      checks whether a result keeps its promises
 
-Costs are those of Garland and Heckbert 1997, and what came of them: see the manual of the C++ library.
+The costs follow Garland and Heckbert 1997 and later papers: see the manual of the C++ library.
 """
 
 from . import _core

@@ -1,4 +1,4 @@
-"""Arrays as the compiled part wants them, and what is wrong with those that are not."""
+"""Checks arrays, and converts them for the compiled part."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._forms import Array
 def _of_numbers(name: str, given: Any, kinds: str, what: str) -> Array:
     array: Array = np.asarray(given)
     if array.dtype.kind not in kinds and array.size > 0:
-        raise ValueError(f"{name} has the type {array.dtype}, which is not of {what}")
+        raise ValueError(f"{name} has the type {array.dtype}, not {what}")
     return array
 
 
@@ -68,13 +68,13 @@ def _of_other_shape(name: str, array: Array) -> str:
     flat = array.reshape(-1)
     if array.ndim <= 2 and array.size % 4 == 0 and (flat[::4] == 3).all():
         rows = name if array.ndim == 2 else f"{name}.reshape(-1, 4)"
-        return f"it is padded as VTK has it, with a 3 before each triangle; {rows}[:, 1:] is what is wanted"
+        return f"it is padded in VTK's way, with a 3 before each triangle: pass {rows}[:, 1:]"
     if array.ndim == 2 and array.shape[1] == 4:
-        return "it is of triangles, so cut quads in two, np.concatenate([q[:, :3], q[:, [0, 2, 3]]])"
+        return "it takes triangles, so split quads, np.concatenate([q[:, :3], q[:, [0, 2, 3]]])"
     if array.ndim == 3:
-        return ("these are coordinates of corners, and it is of indices: simplify(corners.reshape(-1, 3), "
+        return ("these are coordinates of corners, and it takes indices: simplify(corners.reshape(-1, 3), "
                 "np.arange(3 * len(corners)).reshape(-1, 3), split_vertices=True)")
-    return "it is of triangles"
+    return "it takes triangles"
 
 
 def numbers(name: str, given: Any, count: int, of: str = "point") -> List[float]:
@@ -99,15 +99,15 @@ def mask(name: str, given: Any, count: int, of: str = "point") -> List[bool]:
     array: Array = np.asarray(given)
     if array.dtype == bool:
         if array.shape != (count,):
-            raise ValueError(f"{name} has the shape {array.shape}, not ({count},): it is a mask of "
+            raise ValueError(f"{name} has the shape {array.shape}, not ({count},): it takes a mask of "
                              f"the {of}s, or their indices")
         return array.tolist()
     indices = _integers(name, array.reshape(-1) if array.size == 0 else array)
     if indices.ndim != 1:
-        raise ValueError(f"{name} has the shape {array.shape}: it is a mask of the {of}s, or their "
+        raise ValueError(f"{name} has the shape {array.shape}: it takes a mask of the {of}s, or their "
                          "indices")
     if indices.size > 0 and int(indices.max()) >= count:
-        raise ValueError(f"{name} names the {of} {int(indices.max())} of {count}")
+        raise ValueError(f"{name} contains {of} {int(indices.max())}, but there are {count} {of}s")
     result = np.zeros(count, bool)
     result[indices] = True
     return result.tolist()

@@ -18,7 +18,7 @@ KindName = Literal["texture", "normals", "colors", "attributes"]
 
 
 def choice(name: str, value: Any, members: Mapping[str, T]) -> T:
-    """What a word stands for. Raises ValueError, which lists the words, for another one."""
+    """The member of this name. Raises a ValueError that lists all names for an unknown one."""
     if not isinstance(value, str) or value not in members:
         raise ValueError(f"{name} is {value!r}, not one of {', '.join(members)}")
     return members[value]

@@ -26,7 +26,7 @@ _HARDLY = 1 / 64  # numbers of vertices, beside a cost of positions that was ask
 
 
 class FileOptions(TypedDict, total=False):
-    """What simplify_file() and FileJob take beside the files."""
+    """The options of simplify_file() and FileJob."""
 
     faces: Optional[int]
     ratio: Optional[float]
@@ -52,21 +52,21 @@ class FileOptions(TypedDict, total=False):
 
 @dataclasses.dataclass
 class SimplifiedFile:
-    """What simplify_file() has written."""
+    """The result of simplify_file()."""
 
     output: str  #: the file, or the folder of tiles
-    report: _core.Report  #: what any simplification tells; of topology a run by parts knows nothing
-    phases: int  #: in which parts were simplified
-    parts: int  #: of the first phase
-    faces_of_phases: List[int]  #: left by each
-    is_count_exact: bool  #: the target itself is what is left, or as near as faces allow
+    report: _core.Report  #: as of any simplification, but without figures on the topology
+    phases: int  #: the number of phases
+    parts: int  #: the number of chunks of the first phase
+    faces_of_phases: List[int]  #: the number of faces after each phase
+    is_count_exact: bool  #: whether the target was met exactly, or as closely as faces allow
     bytes_read: int
     bytes_written: int
-    diagonal: float  #: of the box of the vertices that faces use
-    peak_memory: int  #: of the process so far, in bytes, as the system counts it
-    welded_vertices: int  #: that have become one with another one at the same place, before all else
-    fans: int  #: polygons that were cut into fans, for being flat or crossing themselves
-    short_faces: int  #: left out for having fewer than three different corners
+    diagonal: float  #: the diagonal of the bounding box of the vertices that faces use
+    peak_memory: int  #: of the process so far, in bytes, as the operating system reports it
+    welded_vertices: int  #: merged with another vertex at the same place, before anything else
+    fans: int  #: polygons that were cut into fans, since they have no area or cross themselves
+    short_faces: int  #: faces left out because they have fewer than three different corners
     remarks: List[str]  #: what was left out
 
 
@@ -80,15 +80,15 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
           memory: Union[int, str] = 4_000_000_000, threads: int = 0, part_faces: int = 0, restart: bool = False,
           scratch: Path) -> Tuple[_core.Options, _core.OutOfCore]:
     if faces is not None and (ratio is not None or target_reduction is not None):
-        raise ValueError("faces and a fraction of the faces are both given, and are two targets")
+        raise ValueError("faces does not go with a fraction of the faces: both are targets")
     if error is not None and relative_error is not None:
-        raise ValueError("error and relative_error are both given, and are two limits")
+        raise ValueError("error does not go with relative_error: both are limits")
     if tolerance is not None and not isinstance(tolerance, str):
-        raise TypeError("tolerance is the name of a number of vertices of the file, not " + type(tolerance).__name__)
+        raise TypeError("tolerance has to be the name of a scalar property of vertices, not " + type(tolerance).__name__)
     if tolerance is not None and (error is not None or relative_error is not None):
-        raise ValueError("tolerance and error are both given: put the smaller one into the scalar property of the file")
+        raise ValueError("tolerance does not go with error: put the smaller limit into the scalar property of the file")
     if tolerance == "":
-        raise ValueError("tolerance is '', which is no name of a number of vertices")
+        raise ValueError("tolerance is '', not the name of a scalar property of vertices")
     if cost == "edge_length" and placement == "optimal":
         raise ValueError("placement='optimal' does not go with cost='edge_length'")
     options = make_options(faces=faces, ratio=ratio, target_reduction=target_reduction, error=error,
@@ -112,8 +112,8 @@ _made = in_our_words(_made)
 
 
 class FileJob:
-    """A simplification from a file to a file in steps, which any process may run that sees the files and the
-    scratch folder: of a pool, of Dask, of Ray.
+    """Simplifies a file in steps. Each step may run in any process that sees the files and the scratch folder, such
+    as a process of a pool, of Dask or of Ray.
 
         job = quadrille.FileJob("in.ply", scratch="/scratch/a", faces=1_000_000)
         with multiprocessing.Pool() as pool:
@@ -123,10 +123,10 @@ class FileJob:
                 parts = job.close()
         result = job.sew("out.ply")
 
-    The arguments are those of simplify_file(), which runs all of that. A job is sent to other processes as what it was
-    made of, without progress=: simplify() takes up the phase that is at work there. partition(), close() and sew()
-    drive the job, and hold a lock, so that one process does; if it ends, a job with restart=True goes on. Where
-    progress= returns False, these raise RuntimeError.
+    The arguments are those of simplify_file(), which runs all of these steps. A pickled job contains its arguments
+    except progress=; in another process, simplify() works on the current phase. partition(), close() and sew()
+    drive the job under a lock, so that only one process does so; after an interruption, a new job with restart=True
+    resumes the work. If progress= returns False, these methods raise RuntimeError.
     """
 
     def __init__(self, source: Paths, /, *, scratch: Path, progress: Optional[Progress] = None,
@@ -149,28 +149,28 @@ class FileJob:
 
     @property
     def estimate(self) -> _core.FileEstimate:
-        """What it will take, about, as the sizes of the files tell."""
+        """The resources that the job will need, estimated from the file sizes."""
         return self._job.estimate
 
     def partition(self) -> int:
-        """Cuts the file, or takes up the phase that is at work, with restart=True. Returns how many parts there are."""
+        """Cuts the file into chunks or, with restart=True, resumes the current phase. Returns the number of chunks."""
         self._drives = True
         return _step(self._paths, self._job.partition)
 
     def simplify(self, part: int) -> int:
-        """Simplifies a part of the phase, from 0 on; nothing to do if that is done. Any process or thread may call it,
-        several at a time. Returns the part."""
+        """Simplifies a chunk of the phase, counted from 0, unless that has been done. Any number of processes and
+        threads may call it at the same time. Returns the number of the chunk."""
         job = self._job if self._drives else self._joined()
         _step(self._paths, job.simplify, read_count("part", part))
         return part
 
     def close(self) -> int:
-        """Ends the phase, of which all parts have to be simplified. Returns how many parts the next one has, or 0 if what
-        is left can be sewn."""
+        """Ends the phase, once all of its chunks are simplified. Returns the number of chunks of the next phase, or 0 if
+        the result can be merged by sew()."""
         return _step(self._paths, self._job.close)
 
     def sew(self, target: Path) -> SimplifiedFile:
-        """Writes what is left, and empties the scratch folder."""
+        """Merges the chunks into the result, and empties the scratch folder."""
         result = _result(target, *_step(self._paths, self._job.sew, os.fspath(target)))
         self._drives = False
         return result
@@ -186,38 +186,39 @@ class FileJob:
 
 def simplify_file(source: Paths, target: Path, /, *, scratch: Path, progress: Optional[Progress] = None,
                   **options: Unpack[FileOptions]) -> SimplifiedFile:
-    """Simplifies a surface from a file to a file, by parts, in no more memory than it is told.
+    """Simplifies a surface from file to file in chunks, within a limit of memory.
 
         result = quadrille.simplify_file("in.ply", "out.ply", faces=1_000_000, scratch="/scratch/a", memory="4G")
 
-    source    PLY, or binary STL; a list of these, or a pattern as 'tiles/*.ply': tiles of one
-              surface, whose borders coincide
-    target    PLY, binary; with keep_tiles a folder
-    scratch   a folder for what lies on disk meanwhile; it is as it was at the end
-    memory    how many bytes the process shall take at most, or words as '4G', '500MB', '4GiB'; the result depends on it
-    threads   parts at a time; 0: one for each processor, as far as memory allows
-    restart   go on with what is in the scratch folder, where a run was stopped
-    part_faces  of a part, about; 0: as the memory allows
-    progress  called at each stage, and up to 25 times a second, with a FileStatus, which has an estimate of time, memory and disk; to return
-              False ends the run, and to raise does, too: what is done stays in the scratch folder, for restart
+    source    PLY or binary STL; a list of files, or a pattern such as 'tiles/*.ply': tiles of one
+              surface with coincident boundaries
+    target    binary PLY; with keep_tiles a folder
+    scratch   a folder for temporary files; at the end it is as it was
+    memory    the most memory that the process should use, in bytes or as '4G', '500MB', '4GiB'; the result depends on it
+    threads   the number of chunks at a time; 0: one for each processor, as far as memory allows
+    restart   resume the interrupted job in the scratch folder
+    part_faces  the approximate number of faces of a chunk; 0: as memory allows
+    progress  called at each stage, and up to 25 times a second, with a FileStatus, which contains an estimate of time,
+              memory and disk space; returning False or raising ends the run, and finished work stays in the scratch
+              folder for restart
 
     faces, ratio, target_reduction, error, relative_error, both_ways, cost (by name), placement, topology, boundary_weight
-              as simplify() has them; half of the faces where there is no target
-    tolerance  instead of an error, the name of a number that vertices of the PLY file have: how far, in the unit of
-              their places, no triangle of the input with such a corner is further from the result
-    lock_boundary  vertices at edges of one face stay where they are
-    keep_tiles  each tile becomes a file again, of the same name, in the folder
-    weld      vertices at exactly the same place become one, whatever the edges
-    positions_only  leave out what the file has beside positions, corners, labels and tolerances; else what can't go along is
-              refused
-    attribute_importance  how much colours and other numbers of vertices count, above 0: 1 by default, hardly where a
-              cost is asked for
+              as in simplify(); half of the faces if there is no target
+    tolerance  instead of an error, the name of a scalar property of the vertices of the PLY file: no triangle of the
+              input is further from the result than the smallest value of its corners, in the unit of the positions
+    lock_boundary  vertices at boundary edges stay in place
+    keep_tiles  write each tile to a file of the same name in the target folder
+    weld      merge vertices at exactly the same place, whatever their edges
+    positions_only  keep only positions, faces, labels and tolerances; without this, attributes that cannot be kept
+              raise an error
+    attribute_importance  the weight of colours and other scalars of vertices, above 0: 1 by default, 1/64 if a cost is
+              given
 
-    Returns a SimplifiedFile, with a report. A target that was missed, a count that is near only and what was left out are
-    UserWarnings. Ctrl-C ends it with a KeyboardInterrupt.
+    Returns a SimplifiedFile with a report. A missed target, an inexact count and everything that was left out are
+    reported as UserWarnings. Ctrl-C ends the call with a KeyboardInterrupt.
 
-    Raises OSError if a file can't be opened or written, a disk is too small or full, or another job works in the folder;
-    ValueError for what is wrong with the file or an option; TypeError for an option that it does not know.
+    Raises OSError if a file can't be opened or written, a disk is too small or full, or another job uses the folder;
+    ValueError if the file or an option is wrong; TypeError for an unknown option.
     """
     job = FileJob(source, scratch=scratch, progress=progress, **options)
     result = _result(target, *_step(job._paths, job._job.run, os.fspath(target)))
@@ -236,18 +237,18 @@ def _result(target: Path, report: _core.Report, figures: Dict[str, Any]) -> Simp
     remarks = ["left out: " + what for what in figures.pop("dropped")]
     unused = figures.pop("unused_not_finite")
     if unused > 0:
-        remarks.append(f"vertices without a face left out for not being finite: {unused}")
+        remarks.append(f"isolated vertices left out (not finite): {unused}")
     if report.doubled_faces > 0:
-        remarks.append("faces left out for having the corners of another one, the same way round: "
+        remarks.append("duplicate faces left out (same corners, same winding): "
                        f"{report.doubled_faces}")
     if not figures["is_count_exact"] and report.stop != "cancelled":
-        remarks.append(f"the count of faces is near and not exact: {report.faces_after}, since the whole does not fit "
-                       "into the memory at the end")
+        remarks.append("the number of faces is not exact, since the whole result does not fit into memory: "
+                       f"{report.faces_after}")
     return SimplifiedFile(output=os.fspath(target), report=report, remarks=remarks, **figures)
 
 
 def _paths_of(source: Any) -> List[str]:
-    """Those that are named, by a pattern in the order of their names."""
+    """The named files; those of a pattern in the order of their names."""
     if not isinstance(source, (str, os.PathLike)):
         return [os.fspath(path) for path in source]
     path = os.fspath(source)
@@ -255,12 +256,12 @@ def _paths_of(source: Any) -> List[str]:
         return [path]
     found = sorted(glob.glob(path))
     if not found:
-        raise FileNotFoundError(f"{path}: no file has such a name")
+        raise FileNotFoundError(f"{path}: no file matches this pattern")
     return found
 
 
 def _step(paths: Sequence[str], step: Callable[..., Any], *arguments: Any) -> Any:
-    """What is wrong with a file of the input is a ValueError, else with a file an OSError."""
+    """Runs a step. Errors in an input file become ValueError, those of other files OSError."""
     for path in paths if step is _core.FileJob else ():
         with open(path, "rb"):
             pass
@@ -273,7 +274,7 @@ def _step(paths: Sequence[str], step: Callable[..., Any], *arguments: Any) -> An
         if message.startswith("quadrille::"):  # a step that is not due
             raise RuntimeError(in_words_of_python(message)) from None
         if message.startswith("quadrille: "):
-            raise RuntimeError("progress has ended the run, which restart=True goes on with") from None
+            raise RuntimeError("progress has ended the run; restart=True resumes it") from None
         raise OSError(message) from None
 
 
@@ -281,12 +282,12 @@ _UNITS = {"": 1, "k": 1, "m": 2, "g": 3, "t": 4}
 
 
 def read_bytes(name: str, value: Any) -> int:
-    """A number, or words as 4G, 500MB, 4GiB."""
+    """A number, or a text such as 4G, 500MB, 4GiB."""
     if not isinstance(value, str):
         return _count_of_bytes(name, value)
     found = re.fullmatch(r"\s*(\d+(?:\.\d*)?)\s*([kmgt]?)(i?)b?\s*", value.lower())
     if not found or (found[3] and not found[2]):
-        raise ValueError(f"{name} is {value!r}, not a number of bytes, as '4G' or '500M'")
+        raise ValueError(f"{name} is {value!r}, not a number of bytes, such as '4G' or '500M'")
     power = _UNITS[found[2]] if found[2] else 0
     return int(float(found[1]) * float(1024 if found[3] else 1000) ** power)
 

@@ -19,18 +19,18 @@ _HARDLY = 1 / 64  # numbers of vertices may be noise
 
 @in_our_words
 def read_mesh(path: Union[str, os.PathLike[str]], *, weld: bool = False) -> Mesh:
-    """Reads a Mesh from a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension; of glTF (.gltf,
-    .glb) the geometry of the scene, each mesh where it is shown (simplify_gltf keeps documents whole).
+    """Reads a Mesh from a file. The extension selects the format: OFF, OBJ, PLY, STL or GOCAD (.ts); from glTF
+    (.gltf, .glb), the geometry of the scene is read, each mesh in its place (simplify_gltf keeps whole documents).
 
-    Polygons are cut into triangles. Of OBJ and PLY, uv and normals are pairs (values, indices) of
-    corners; materials, groups and objects of OBJ, and integers of the faces of PLY, are labels, and
-    write_mesh() writes them again with their names. Further numbers of the vertices of PLY are
-    attributes. Points at exactly the same place are one wherever edges of faces meet there; weld makes
-    all of them one. Where colours or attributes differ at a place there is a point for each side, which
-    simplify() takes as one.
+    Polygons are cut into triangles. For OBJ and PLY, uv and normals are pairs (values, indices) at
+    corners; materials, groups and objects of OBJ, and integers at the faces of PLY, become labels, and
+    write_mesh() writes them with their names. Other scalars at the vertices of PLY become
+    attributes. Points at exactly the same place are merged where edges of faces coincide; weld merges
+    all of them. Where colours or attributes differ at a place, there is a point for each side, and
+    simplify() treats these as one.
 
     Raises OSError if the file can't be opened, and ValueError, which names file and line, if it is
-    broken. What was left out or guessed is in mesh.remarks.
+    damaged. mesh.remarks says what was left out or assumed.
     """
     path = os.fspath(path)
     with open(path, "rb"):
@@ -53,24 +53,23 @@ def read_mesh(path: Union[str, os.PathLike[str]], *, weld: bool = False) -> Mesh
             mesh.attributes[name] = Channel(values.astype(dtype), importance=_HARDLY,
                                             new_values=new_values)
         else:
-            mesh.remarks.append(f"not kept: {name}, of which some are not finite")
+            mesh.remarks.append(f"not kept: {name}, which has values that are not finite")
     return mesh
 
 
 @in_our_words
 def write_mesh(path: Union[str, os.PathLike[str]],
                mesh: Union[Mesh, Tuple[ArrayLike, ArrayLike], _objects.MeshLike]) -> None:
-    """Writes a Mesh to a file: OFF, OBJ, PLY, STL, GOCAD (.ts) or glTF (.gltf, .glb), told by the extension. A pair (points,
-    faces) is written as well, or these of a mesh of trimesh, Open3D, PyVista, VTK or meshio.
+    """Writes a Mesh to a file. The extension selects the format: OFF, OBJ, PLY, STL, GOCAD (.ts) or glTF (.gltf, .glb).
+    A pair (points, faces), and a mesh of trimesh, Open3D, PyVista, VTK or meshio, can be written as well.
 
-    All of it or nothing: a file that is there stays if something goes wrong. A mesh of read_mesh(),
-    and what simplify() has made of it, has its materials, groups and other properties of faces again;
-    `mtllib` lines are written as they were read, so write beside them. uv is written to OBJ, PLY and
-    OFF, normals to OBJ and PLY, colours to these three, attributes of one component a point to PLY.
-    What the format cannot hold is told by a UserWarning.
+    An existing file is replaced only if everything succeeds. A mesh from read_mesh(), also after simplify(),
+    keeps its materials, groups and other properties of faces; `mtllib` lines are written as they were read, so
+    write the file to the same folder. uv is written to OBJ, PLY and OFF, normals to OBJ and PLY, colours to these
+    three, attributes with one component per point to PLY. A UserWarning lists what the format cannot hold.
 
-    Raises OSError if it can't be written, ValueError for what is wrong with the mesh, and TypeError if it
-    is none.
+    Raises OSError if the file can't be written, ValueError if the mesh is invalid, and TypeError if it is not a
+    mesh.
     """
     mesh = as_mesh(mesh)
     points = _arrays.real_rows("points", mesh.points, 3)

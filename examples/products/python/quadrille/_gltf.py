@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class GltfOptions(TypedDict, total=False):
-    """The options that simplify() has by these names, but for those with a value for each point or face."""
+    """The options of simplify() without those that have a value for each point or face."""
 
     faces: Optional[int]
     ratio: Optional[float]
@@ -60,38 +60,37 @@ def simplify_gltf(
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
     **options: Unpack[GltfOptions],
 ) -> _core.Report:
-    """Simplifies a glTF document, .gltf or .glb, and writes it to another file, or over the same.
+    """Simplifies a glTF document, .gltf or .glb, and writes it to another file or over the same one.
 
         report = quadrille.simplify_gltf("helmet.glb", "small.glb", ratio=0.25)
 
-    All meshes are simplified at once, as they stand in the scene, so that the triangles that are left
-    are where they are needed most. Texture coordinates, normals, tangents, colours, skins and morph
-    targets go along; nodes, materials, images, animations and whatever else is in the document stay.
+    All meshes of the scene are simplified together, so that the remaining triangles are where they are
+    needed most. Texture coordinates, normals, tangents, colours, skins and morph targets are updated;
+    nodes, materials, images, animations and everything else in the document stay.
 
-    seams    what becomes of the seams of textures: 'kept', 'soft' (by default), 'priced' or 'free'; see
+    seams    whether texture seams may vanish: 'kept', 'soft' (the default), 'priced' or 'free'; see
              Channel
-    labels   names of attributes of integers, such as '_PART': regions of their values stay, as those of
-             materials do. Other such attributes hold nothing: a corner has one of the values that there were
-    stop, progress  functions, as simplify() has them; to return False from progress writes the result
-             so far, and to raise writes nothing
-    options  targets and how it is done, as simplify() has them by these names: faces, ratio, vertices,
+    labels   names of integer attributes, such as '_PART': the regions of their values stay, like those of
+             materials. Other integer attributes have no effect: each corner gets one of the old values
+    stop, progress  functions, as in simplify(); if progress returns False, the current result is written,
+             and if it raises, nothing is
+    options  targets and methods, as in simplify(): faces, ratio, vertices,
              target_reduction, error, relative_error, both_ways, cost (by name), placement, order,
              threads, boundary_weight, topology, normal_flip, normal_deviation, no_self_intersection and
-             so on; lengths are in the unit of the scene. Not those with a value for each point or face
+             so on, except those with a value for each point or face; lengths are in the unit of the scene
 
-    Returns the Report of the whole scene. A remark, such as one on images that are files in another
-    folder, is a UserWarning, and so is a target that was missed.
+    Returns the Report of the whole scene. Remarks, such as one on images that are files in another
+    folder, and missed targets are reported as UserWarnings.
 
-    Raises OSError if a file can't be opened, and ValueError for what is wrong with the document or an
-    option; TypeError for an option that it does not know. The target is written whole, or stays as it
-    was.
+    Raises OSError if a file can't be opened, ValueError if the document or an option is wrong, and TypeError for
+    an unknown option. The target is written completely, or stays as it was.
     """
     if _gltf is None:
-        raise NotImplementedError("this module was built without nlohmann_json, and knows no glTF")
+        raise NotImplementedError("this module was built without nlohmann_json, which glTF needs")
     source, target = os.fspath(source), os.fspath(target)
     for path in (source, target):
         if os.path.splitext(path)[1].lower() not in (".gltf", ".glb"):
-            raise ValueError(f"{path} is neither .gltf nor .glb")
+            raise ValueError(f"{path} is not .gltf or .glb")
     made = make_options(**options)
     seams_choice = None if seams is None else choice("seams", seams, _core.Seams.__members__)
     with open(source, "rb"):

@@ -18,16 +18,16 @@ Surface = Union[ArrayLike, Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]]
 @in_our_words
 def curvature_importance(points: Surface, triangles: Optional[ArrayLike] = None, /, *,
                          strength: float = 3.0) -> Array:
-    """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
+    """Returns a number for each point, with which simplify(importance=...) keeps more faces where a surface is
     curved: (1 + k / mean(k)) ** strength, where k**2 is the sum of the squares of both principal
     curvatures.
 
         quadrille.simplify(mesh, faces=1000, importance=quadrille.curvature_importance(mesh))
 
-    strength  at least 0; with 3, what is curved as the surface is on average gets about twice as many
-              faces as what is flat, beside those that the cost gives it anyway
+    strength  at least 0; with 3, regions of average curvature get about twice as many faces as flat ones, in
+              addition to the effect of the cost itself
 
-    Raises ValueError for what is wrong with an argument.
+    Raises ValueError if an argument is wrong.
     """
     vertices, faces = _surface(points, triangles)
     return _core.curvature_importance(vertices, faces, float(strength))
@@ -36,14 +36,14 @@ def curvature_importance(points: Surface, triangles: Optional[ArrayLike] = None,
 @in_our_words
 def view_importance(points: Surface, triangles: Optional[ArrayLike] = None, /, *, eye: ArrayLike,
                     turned_away: float = 1 / 64, outline: float = 8.0) -> Array:
-    """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
-    seen from a place: in proportion to distance ** -3, so that errors look alike large at any distance.
+    """Returns a number for each point, with which simplify(importance=...) keeps more faces where a viewer sees
+    the surface: in proportion to distance ** -3, so that errors look equally large at any distance.
 
-    eye          the place: three numbers, in the unit of the points
-    turned_away  how much a point counts of which no face is turned to the eye, at least 0
-    outline      how much one counts of which some are and some are not, at least 0
+    eye          the position of the viewer: three numbers, in the unit of the points
+    turned_away  the factor for points with no face towards the viewer, at least 0
+    outline      the factor for points with faces towards the viewer and away from it, at least 0
 
-    Raises ValueError for what is wrong with an argument.
+    Raises ValueError if an argument is wrong.
     """
     place = np.asarray(eye, dtype=np.float64)
     if place.shape != (3,):

@@ -18,12 +18,13 @@ from ._words import in_our_words
 class Level(Mesh):
     """A Mesh at a level of detail.
 
-    error           as of Report.error
-    distance_bound  no point is further from the input; infinite but of runs with error=
-    hausdorff_bound nor any point of the input further from the level; of runs with both_ways=True
-    contractions    that lead to it
-    input_points, input_faces  which point and face of the input each of its own is: labels and
-                    materials are found there
+    error           as Report.error
+    distance_bound  no point is further from the input; infinite for runs without error=
+    hausdorff_bound no point of the input is further from the level, or the other way round; infinite for runs
+                    without both_ways=True
+    contractions    the number of contractions that lead to this level
+    input_points, input_faces  for each point and face, the index of its point and face in the input, for
+                    looking up labels and materials
     """
 
     error: float = 0.0
@@ -42,12 +43,11 @@ class Levels:
         level = levels.at(faces=1000)
         levels.save("cow.qlv")
 
-    A level is what simplify() with that target gives, of which values are not rounded to float32 or
-    integers; `levels.at(...)` takes a few nanoseconds for each of its faces. Channels come along by
-    their names.
+    A level is the result of simplify() with that target, except that values are not rounded to float32 or
+    integers; `levels.at(...)` takes a few nanoseconds per face. Channels keep their names.
 
-    One call of simplify() records at a time, and nobody reads meanwhile: ValueError. Levels, as
-    meshes and reports, can be copied and pickled.
+    Only one call of simplify() may record at a time, and Levels cannot be read meanwhile: both raise ValueError.
+    Levels, like meshes and reports, can be copied and pickled.
     """
 
     def __init__(self) -> None:
@@ -73,7 +73,7 @@ class Levels:
         return self.__copy__()
 
     def __reduce__(self) -> Any:
-        """As the bytes of a file."""
+        """Pickles the bytes of a file."""
         if not self:
             return Levels, ()
         with tempfile.TemporaryDirectory() as folder:
@@ -86,15 +86,15 @@ class Levels:
     def at(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
            error: Optional[float] = None, distance: Optional[float] = None,
            contractions: Optional[int] = None) -> Level:
-        """A level, by one of
+        """Returns a level, chosen by one of
 
-        faces, vertices  the finest of so many at most
-        error            the coarsest whose error is at most that
-        distance         the coarsest within that distance of the input; for runs with error= or
+        faces, vertices  the finest level with at most this many
+        error            the coarsest level whose error is at most this
+        distance         the coarsest level within this distance of the input; for runs with error= or
                          relative_error=
-        contractions     after so many
+        contractions     the level after this many contractions
 
-        The coarsest of all where none is as coarse. Raises ValueError where nothing is recorded.
+        If no level is as coarse, returns the coarsest. Raises ValueError if nothing is recorded.
         """
         arrays = self._levels.at(*_stop(faces=faces, vertices=vertices, error=error,
                                         distance=distance, contractions=contractions))
@@ -111,25 +111,25 @@ class Levels:
     def info(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
              error: Optional[float] = None, distance: Optional[float] = None,
              contractions: Optional[int] = None) -> Dict[str, Any]:
-        """The same without the surface: its faces, vertices, contractions, error, distance_bound,
+        """Returns the figures of a level without its surface: faces, vertices, contractions, error, distance_bound,
         hausdorff_bound."""
         return self._levels.info(*_stop(faces=faces, vertices=vertices, error=error,
                                         distance=distance, contractions=contractions))
 
     @property
     def finest(self) -> Dict[str, Any]:
-        """What info() tells of the input."""
+        """The figures of the input, as info() returns them."""
         self._require_any()
         return self._levels.finest()
 
     @property
     def coarsest(self) -> Dict[str, Any]:
-        """What info() tells of the last level."""
+        """The figures of the last level, as info() returns them."""
         return self._levels.coarsest()
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes all of it to a file; one that is there is replaced once all is written. Programs in
-        C++ read it with <quadrille/levels_file.h>. Raises OSError."""
+        """Writes all levels to a file. An existing file is replaced only once everything is written. C++ programs
+        read the file with <quadrille/levels_file.h>. Raises OSError."""
         self._require_any()
         try:
             self._levels.save(os.fspath(path), json.dumps({"channels": self._names}))
@@ -138,8 +138,8 @@ class Levels:
 
     @staticmethod
     def load(path: Union[str, os.PathLike[str]]) -> "Levels":
-        """Reads a file. Raises OSError if it can't be read, and ValueError if it is no file of levels,
-        or a broken one."""
+        """Reads a file. Raises OSError if it can't be read, and ValueError if it is damaged or not a file of
+        levels."""
         with open(path, "rb"):
             pass
         levels = Levels()
@@ -164,7 +164,7 @@ def _levels_of(content: bytes) -> Levels:
 
 
 def _names_in(comment: str) -> List[str]:
-    """Of channels; numbers where the file is of another program."""
+    """The names of channels, or numbers if another program wrote the file."""
     try:
         return [str(name) for name in json.loads(comment)["channels"]]
     except (ValueError, KeyError, TypeError):
@@ -174,7 +174,7 @@ def _names_in(comment: str) -> List[str]:
 def _stop(**given: Optional[float]) -> Tuple[str, float]:
     stops = [(name, value) for name, value in given.items() if value is not None]
     if len(stops) != 1:
-        raise ValueError(f"one of {', '.join(given)} says which level, not {len(stops)} of them")
+        raise ValueError(f"pass exactly one of {', '.join(given)}, not {len(stops)}")
     name, value = stops[0]
     if not value >= 0:
         raise ValueError(f"{name} is {value!r}, not at least 0")

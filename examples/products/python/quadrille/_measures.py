@@ -17,10 +17,10 @@ Surface = Union[Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]]
 
 
 class Distance(NamedTuple):
-    """How far two surfaces are from each other, in the unit of their points. Both directions differ where
-    one of them has a part that the other lacks.
+    """The distance between two surfaces, in the unit of their points. The two directions differ where
+    one of the surfaces has a feature that the other lacks.
 
-    rms        root of the mean of both squared one-sided figures
+    rms        the root of the mean of both squared one-sided figures
     hausdorff  the larger of both one-sided figures
     rms_a_to_b, rms_b_to_a              from samples of one surface to the other
     hausdorff_a_to_b, hausdorff_b_to_a  the largest over samples and points
@@ -34,16 +34,16 @@ class Distance(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """A claim, and what has been measured.
+    """A claim, and its measurement.
 
-    claim     in words
-    promised  a distance in the unit of the points, degrees, or a number of what is named
-    measured  the same
-    error     by how much what is measured may be wrong, at most
-    is_held   is what is measured as it was promised? Always if that is so of the truth, and never if the
-              truth is beyond it by more than the error
-    place     where it is broken: a point of the farthest, of a face that intersects another one, of a part
-              that has changed; None where it is held, or where there is no such place
+    claim     a description
+    promised  the promised value: a distance in the unit of the points, degrees, or a count
+    measured  the measured value
+    error     the largest possible error of the measurement
+    is_held   whether the claim is held: always if it is true, and never if the true value exceeds it by more
+              than the error
+    place     where the claim is broken: one of the farthest points, a point of a face that intersects another
+              one, or of a component that has changed; None if the claim is held, or has no such place
     """
     claim: str
     promised: float
@@ -54,10 +54,10 @@ class Finding(NamedTuple):
 
 
 class Verdict:
-    """What verify() has found. It is true if all claims are held.
+    """The result of verify(). It is true if all claims are held.
 
-    findings      one Finding for each claim, or some
-    is_cancelled  by the function progress: then not all has been looked at
+    findings      one or more Findings for each claim
+    is_cancelled  whether progress cancelled the call: then not everything was checked
     """
 
     def __init__(self, findings: List[Finding], is_cancelled: bool = False):
@@ -70,24 +70,24 @@ class Verdict:
     def __repr__(self) -> str:
         lines = [f"{f.claim}: {f.promised:g} promised, {f.measured:g} measured{'' if f.is_held else ', BROKEN'}"
                  + (" near ({:g}, {:g}, {:g})".format(*f.place) if f.place else "")
-                 for f in self.findings] + ["cancelled before all was measured"] * self.is_cancelled
+                 for f in self.findings] + ["cancelled before everything was measured"] * self.is_cancelled
         return f"Verdict({'; '.join(lines)})"
 
 
 @in_our_words
 def surface_distance(a: Surface, b: Surface, *, samples: int = 100_000, seed: int = 0) -> Distance:
-    """The distance between two surfaces, from points spread evenly over each of them (as Metro of Cignoni,
-    Rocchini and Scopigno 1998) to the nearest point of the other; points of the mesh count for Hausdorff
-    figures only. Shares nothing with simplify().
+    """Returns the distance between two surfaces, from points spread evenly over each of them (as in Metro, Cignoni,
+    Rocchini and Scopigno 1998) to the nearest point of the other; vertices count for Hausdorff
+    figures only. Shares no code with simplify().
 
         quadrille.surface_distance(mesh, small).rms
 
     a, b     each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista, VTK or meshio
-    samples  on each surface: with 100,000 an RMS figure is good to about one per cent, and a Hausdorff
-             figure is a lower bound
+    samples  the number of points on each surface: with 100,000, an RMS figure is accurate to about one per cent;
+             a Hausdorff figure is a lower bound
     seed     equal seeds give equal points, on every platform
 
-    Raises ValueError for what is wrong with an argument, or a surface without faces.
+    Raises ValueError if an argument is wrong, or a surface has no faces.
     """
     samples, seed = _count("samples", samples), _count("seed", seed)
     return Distance(*_core.surface_distance(*_surface("a", a), *_surface("b", b), samples, seed))
@@ -99,31 +99,31 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
            no_self_intersection: bool = False, solid: bool = False,
            normal_deviation: Optional[float] = None, image: Optional[ArrayLike] = None,
            progress: Optional[Callable[[float], Optional[bool]]] = None) -> Verdict:
-    """Does a result keep what was promised of it? Measured by code that shares nothing with simplify():
-    distances by branch and bound over faces, intersections by exact tests, solids part by part.
+    """Checks whether a result keeps its promises, with code that is independent of simplify(): distances by branch
+    and bound over faces, intersections by exact tests, solids component by component.
 
         small = quadrille.simplify(mesh, error=0.01, both_ways=True)
         assert quadrille.verify(mesh, small, distance_both_ways=0.01)
 
     mesh, result          each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista, VTK or meshio
-    distance              no point of the result is further from the mesh than that, in the unit of the points:
+    distance              no point of the result is further from the mesh than this, in the unit of the points:
                           report.distance_bound
     distance_both_ways    the same, and no point of the mesh is further from the result: report.hausdorff_bound
-    tolerance             of each point of the mesh, how far points may be there; a face has the least of its
-                          corners
+    tolerance             for each point of the mesh, the allowed distance there; the smallest value of its
+                          corners applies to a face
     no_self_intersection  no more pairs of faces intersect than in the mesh
-    solid                 the mesh, which is closed, and the result are solids alike: the result is closed, and
-                          each part of the mesh has become one of it, with as many handles, its inside on the
-                          same side, not flat, and in the same ones of the others
-    normal_deviation      no normal is further than so many degrees from that of any face that has become it:
-                          report.normal_bound_degrees. Needs the image
-    image                 of each point of the mesh, the point of the result that it has become, or -1; that of
-                          a result of simplify() is known
-    progress              called up to 25 times a second with the part that is done, from 0 to 1; to return
-                          False ends it: Verdict.is_cancelled. Ctrl-C ends it, too
+    solid                 the mesh is closed, and the result is the same solid: it is closed, and each component
+                          of the mesh corresponds to one of the result with as many handles, its inside on the
+                          same side, not flat, and inside the same other components
+    normal_deviation      no normal deviates by more degrees than this from that of any face that it replaces:
+                          report.normal_bound_degrees. Needs image
+    image                 for each point of the mesh, the index of the point of the result that replaces it, or
+                          -1; the default is the image of a result of simplify()
+    progress              called up to 25 times a second with the completed fraction, from 0 to 1; returning
+                          False ends the check (see Verdict.is_cancelled), as Ctrl-C does
 
-    What is left out is not looked at. Raises ValueError for what is wrong with an argument, or for a
-    surface that cannot be measured.
+    Claims that are not given are not checked. Raises ValueError if an argument is wrong, or a surface cannot be
+    measured.
     """
     (points, faces), (new_points, new_faces) = _surface("mesh", mesh), _surface("result", result)
     claims = _core.Claims()
@@ -150,13 +150,13 @@ def _surface(name: str, given: Any) -> Tuple[Array, Array]:
 
 def _count(name: str, number: Any) -> int:
     if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or number < 0:
-        raise ValueError(f"{name} is {number!r}, not a whole number of at least 0")
+        raise ValueError(f"{name} is {number!r}, not an integer of at least 0")
     return int(number)
 
 
 def _images(given: Any, count: int, new_count: int) -> List[int]:
     if given is None:
-        raise ValueError("normal_deviation needs image: of each point of the mesh, what it has become")
+        raise ValueError("normal_deviation needs image=, the point of the result for each point of the mesh")
     image: Array = np.asarray(given)
     if image.shape != (count,) or image.dtype.kind not in "iu":
         raise ValueError(f"image has the shape {image.shape} and the type {image.dtype}, not ({count},) of integers")

@@ -1,4 +1,4 @@
-"""What simplify() is given and gives."""
+"""The arguments and results of simplify()."""
 
 from __future__ import annotations
 
@@ -19,32 +19,32 @@ Values = Union[Array, Tuple[Array, Array], "Channel"]
 
 @dataclasses.dataclass(eq=False)
 class Channel:
-    """Values of an attribute with options that say how it counts.
+    """The values of an attribute, with options for its weight and its seams.
 
-    Wherever an array of values or a pair (values, indices) is taken, a Channel is taken too.
+    A Channel can be passed wherever an array of values or a pair (values, indices) is accepted.
 
-    values        numbers of the shape (n, components): one value for each point, or, with indices, any
-                  number of values. Of a type of integers the results are rounded to it; colours of
-                  uint8 and uint16 are from 0 to 255 and 65535.
+    values        numbers of the shape (n, components): one value for each point or, with indices, any
+                  number of values. If they are integers, the results are rounded; colours are from
+                  0 to 255 in uint8, and from 0 to 65535 in uint16
     indices       integers of the shape (faces, 3): the value of each corner of each face, as in OBJ
-    importance    by how much more than by default it counts; above 0
-    weights       lengths in the unit of the points that a step of 1 in each component counts as, times
-                  importance; by default for texture coordinates as long as on the surface, for others
-                  0.02 diagonals of the bounding box for the range of the values, and for colors and
-                  normals less, down to a tenth or a twentieth, the more they are noise, and for
-                  smooth normals up to twice that
-    seams         what becomes of the edges at which values jump: 'kept' (they stay), 'soft' (they may
-                  vanish, which costs what it shows of what lies beside a chart; by default for uv),
-                  'priced' (they may vanish, which costs the jump; by default for others) or 'free'
-                  (values around a point are made one from the beginning)
-    border_weight how firmly charts of a texture with kept or soft seams hold their borders; by default
-                  10, or between 0.1 and 1: the more, the fewer edges are seams
-    new_values    'optimal' (what costs least), 'weights' (the same, at least 0 and of sum 1: of a
-                  skin), 'existing' (one of those that have become one: for classes; not for uv) or
-                  'recomputed' (of normals only: from the faces of the result)
-    linear_light  for colours in sRGB: they are averaged as light is
-    kind          'texture', 'normals', 'colors' or 'attributes'; by default what the name says that
-                  it is passed by
+    importance    a factor on the default weight, above 0
+    weights       for each component, the length in the unit of the points that corresponds to a step of 1,
+                  times importance. By default, texture coordinates are as long as on the surface; the
+                  range of other values corresponds to 0.02 diagonals of the bounding box, of noisy
+                  colors and normals to less (down to a tenth or a twentieth), of smooth normals to up
+                  to twice as much
+    seams         the edges at which values jump: 'kept' (they stay), 'soft' (they may vanish, at a cost
+                  for what becomes visible beside a chart; the default for uv), 'priced' (they may vanish,
+                  at the cost of the jump; the default for others) or 'free' (the values around a
+                  point are merged at the beginning)
+    border_weight how firmly the boundaries of charts are kept where texture seams are kept or soft; by
+                  default 10, or between 0.1 and 1: larger if fewer edges are seams
+    new_values    'optimal' (the least cost), 'weights' (the least cost, with values of at least 0 and of
+                  sum 1, as for a skin), 'existing' (one of the merged values, as for classes; not for
+                  uv) or 'recomputed' (from the faces of the result; for normals only)
+    linear_light  average sRGB colours as linear light
+    kind          'texture', 'normals', 'colors' or 'attributes'; by default as the name of the
+                  argument says
     """
 
     values: Array
@@ -60,17 +60,17 @@ class Channel:
 
 @dataclasses.dataclass(eq=False)
 class Mesh:
-    """Triangles with what they carry. All but points and faces may be None or empty.
+    """Triangles with their attributes. All but points and faces may be None or empty.
 
     points      numbers of the shape (n, 3)
     faces       integers of the shape (m, 3): the points of each triangle
     uv          texture coordinates: an array of the shape (n, 2), or a pair (values, indices) of shapes
                 (k, 2) and (m, 3) with the value of each corner, as in OBJ; or a Channel
-    normals     the same, of three components
-    colors      the same, of three components, or of four with alpha
-    attributes  anything else by name, of any number of components
+    normals     the same with three components
+    colors      the same with three components, or four with alpha
+    attributes  anything else by name, with any number of components
     labels      an integer for each face: materials, regions, patches
-    remarks     what read_mesh() had to leave out or guess, and simplify() to turn, as sentences
+    remarks     sentences: what read_mesh() left out or assumed, and what simplify() turned
 
     A Mesh is unpacked to its points and faces: points, faces = mesh.
     """
@@ -92,21 +92,21 @@ class Mesh:
         return iter((self.points, self.faces))
 
     def to_like(self, mesh: Like) -> Like:
-        """A new mesh of the class of the one given: of trimesh, Open3D, PyVista, VTK or meshio; or a pair
-        (points, faces) for a pair.
+        """Returns a new mesh of the class of the given one: trimesh, Open3D, PyVista, VTK or meshio; for a pair, a
+        pair (points, faces).
 
             small = quadrille.simplify(mesh, target_reduction=0.9, attributes=["heat"]).to_like(mesh)
 
-        Attributes are its vertex attributes (trimesh) or point data (PyVista, meshio) by their names.
-        uv, normals and colors are what trimesh and Open3D have for them (uv with the material or the
-        textures of the mesh given), uv the active texture coordinates of PyVista and VTK; otherwise they are
-        point data of these names. Of a result of simplify() and a Level, all data of the cells or faces of the
-        mesh given, which has to be the one that was simplified, go to the faces that are left, and so do
-        colours of faces of trimesh. Labels become data of the faces as well.
+        Attributes become vertex attributes (trimesh) or point data (PyVista, meshio) of the same names.
+        uv, normals and colors become the corresponding arrays of trimesh and Open3D (uv with the material or the
+        textures of the given mesh), uv the active texture coordinates of PyVista and VTK; otherwise they become
+        point data of these names. For a result of simplify() and a Level, the given mesh has to be the one that
+        was simplified: the remaining faces keep its cell or face data, and its face colours in trimesh. Labels
+        become face data as well.
 
-        What there is no place for is told by a UserWarning, such as values at corners, of which only
-        Open3D has uv. TypeError for what is no mesh of these libraries, and ValueError for one that is not
-        of triangles, or whose data do not fit.
+        A UserWarning lists what the class cannot hold, such as values at corners (Open3D holds only uv there).
+        Raises TypeError for objects that are not meshes of these libraries, and ValueError for meshes that are not
+        triangle meshes, or whose data do not fit.
         """
         if isinstance(mesh, Mesh):
             raise TypeError(f"a {type(mesh).__name__} is already a mesh of this library")
@@ -129,12 +129,12 @@ class Mesh:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Simplified(Mesh):
-    """A Mesh that simplify() has made.
+    """The Mesh that simplify() returns.
 
     report       a Report: what was done, why it stopped, how far the result may be from the input
-    image        of each point of the input, the point of the result that it has become, or -1 where it
-                 has vanished; None with split_vertices
-    input_faces  of each face, which face of the input it is
+    image        for each point of the input, the index of the point of the result that replaces it, or -1 if
+                 it was removed; None with split_vertices
+    input_faces  for each face, the index of the corresponding face of the input
     """
 
     report: _core.Report = None  # type: ignore[assignment] # simplify() gives it
@@ -225,7 +225,7 @@ def read_attributes(given: Any, mesh: Any = None) -> Dict[str, Values]:
         return dict(given)
     is_names = isinstance(given, (list, tuple)) and all(isinstance(name, str) for name in given)
     if mesh is None or not is_names:
-        names = "" if mesh is None else f", nor a list of names of data of the {type(mesh.mesh).__name__}"
+        names = "" if mesh is None else f" or a list of names of point data of the {type(mesh.mesh).__name__}"
         raise TypeError(f"attributes is a {type(given).__name__}, not a dict of names and values{names}")
     data = _objects.named_point_data(mesh, given)
     return {name: Channel(values, kind="colors") if _are_bytes_of_colors(values) else values
@@ -256,14 +256,14 @@ def no_mesh(name: str, given: Any) -> TypeError:
     if isinstance(given, (tuple, list)):
         kind += f" of {len(given)}"
     elif isinstance(given, (str, os.PathLike)):
-        hint = ": read_mesh() makes one of a file"
+        hint = ": read_mesh() reads a file"
     elif hasattr(given, "to_legacy"):
-        hint = ": its to_legacy() is one"
+        hint = ": pass its to_legacy()"
     elif hasattr(given, "extract_surface") or hasattr(given, "celltypes"):
-        hint = ": extract_surface().triangulate() makes one"
+        hint = ": pass its extract_surface().triangulate()"
     elif hasattr(given, "geometry") and hasattr(given, "to_geometry"):
-        hint = ": its to_geometry(), or each of its geometry, is one"
-    return TypeError(f"{name} is a {kind}, not a Mesh, a pair (points, faces) or a mesh of triangles of trimesh, "
+        hint = ": pass its to_geometry(), or the meshes in its geometry one by one"
+    return TypeError(f"{name} is a {kind}, not a Mesh, a pair (points, faces) or a triangle mesh of trimesh, "
                      f"Open3D, PyVista, VTK or meshio{hint}")
 
 
@@ -279,7 +279,7 @@ def _channel_of(name: str, given: Any) -> Channel:
     if not isinstance(given, tuple):
         return Channel(given)
     if len(given) != 2:
-        raise ValueError(f"{name} is a tuple of {len(given)}: it is an array, or (values, indices)")
+        raise ValueError(f"{name} is a tuple of {len(given)}, not an array or a pair (values, indices)")
     return Channel(*given)
 
 

@@ -1,4 +1,4 @@
-"""Meshes of trimesh, Open3D, PyVista, VTK and meshio, told by what they have: none of these is imported."""
+"""Meshes of trimesh, Open3D, PyVista, VTK and meshio, recognised by their attributes: none of these is imported."""
 
 from __future__ import annotations
 
@@ -143,7 +143,7 @@ class _MeshioForm:
         others = sorted({kind for kind, _ in blocks} - {"triangle", "vertex", "line"})
         if others:
             raise ValueError(f"the {name_of(mesh)} has cells of the type {', '.join(others)}: only "
-                             "triangles are simplified")
+                             "triangles can be simplified")
         self._is_triangles = [kind == "triangle" for kind, _ in blocks]
         self.faces: Array = self._joined([data for _, data in blocks], np.empty((0, 3), np.int64))
         self.point_data: Mapping[str, Any] = getattr(mesh, "point_data", {})
@@ -190,7 +190,7 @@ def named_point_data(form: Form, names: Sequence[str]) -> Dict[str, Array]:
     for name in names:
         if name not in form.point_data.keys():
             there = ", ".join(repr(other) for other in form.point_data.keys())
-            raise ValueError(f"attributes names {name!r}, but the point data of the {name_of(form.mesh)} "
+            raise ValueError(f"attributes contains {name!r}, but the point data of the {name_of(form.mesh)} "
                              f"are: {there or 'none'}")
     return {name: np.asarray(form.point_data[name]) for name in names}
 
@@ -215,7 +215,7 @@ def like(mesh: Any, channels: Channels, given: Any) -> Tuple[Any, List[str]]:
 
 
 def _cannot_be_made(given: Any) -> TypeError:
-    return TypeError(f"a {name_of(given)} cannot be made of points and faces: give its to_mesh()")
+    return TypeError(f"a {name_of(given)} cannot be made from points and faces: pass its to_mesh()")
 
 
 def _input_faces(form: Form, input_faces: Optional[NDArray[Any]]) -> Optional[NDArray[Any]]:
@@ -223,7 +223,7 @@ def _input_faces(form: Form, input_faces: Optional[NDArray[Any]]) -> Optional[ND
     if input_faces is None or len(input_faces) == 0 or int(input_faces.max()) < len(form.faces):
         return input_faces
     if form.face_data():
-        raise ValueError(f"the {name_of(form.mesh)} has {len(form.faces)} faces and data on them: it is not the "
+        raise ValueError(f"the {name_of(form.mesh)} has {len(form.faces)} faces and face data: it is not the "
                          "mesh that was simplified")
     return None
 

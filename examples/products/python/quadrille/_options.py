@@ -1,4 +1,4 @@
-"""What simplify() and simplify_gltf() are asked for, whatever the surface."""
+"""The options that simplify() and simplify_gltf() share."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def make_options(
     share: float = 0.5,
     refresh: bool = False,
 ) -> _core.Options:
-    """By their names in simplify()."""
+    """Converts options by their names in simplify()."""
     options = _core.Options()
     for name, count in (("faces", faces), ("vertices", vertices)):
         if count is not None:
@@ -60,7 +60,7 @@ def make_options(
         options.ratio = _ratio_left(target_reduction, faces=faces, ratio=ratio, vertices=vertices,
                                     error=error, relative_error=relative_error)
     if options.ratio is not None and not 0 <= options.ratio <= 1:
-        raise ValueError(f"ratio is {ratio!r}, not in [0, 1]: it is the fraction of the faces that stays")
+        raise ValueError(f"ratio is {ratio!r}, not in [0, 1]: it is the fraction of the faces to keep")
     options.both_ways = bool(both_ways)
     options.cost = _core.Cost.quadric if cost is None else choice("cost", cost, _core.Cost.__members__)
     options.weighting = choice("weighting", weighting, _core.Weighting.__members__)
@@ -83,7 +83,7 @@ def make_options(
 
 def function_of(name: str, function: Any) -> Any:
     if function is not None and not callable(function):
-        raise ValueError(f"{name} is {function!r}, which cannot be called")
+        raise ValueError(f"{name} is {function!r}, which is not a function")
     return function
 
 
@@ -99,7 +99,7 @@ def read_count(name: str, value: Any) -> int:
 
 def _of_parts(name: str, value: Any) -> str:
     is_part = name == "faces" and isinstance(value, float) and 0 < value < 1
-    return f": a part of the faces is ratio={value!r}" if is_part else ""
+    return f": for a fraction of the faces, pass ratio={value!r}" if is_part else ""
 
 
 def read_number(name: str, value: Any) -> float:
@@ -112,9 +112,9 @@ def read_number(name: str, value: Any) -> float:
 def _ratio_left(target_reduction: Any, **others: Any) -> float:
     given = [name for name, value in others.items() if value is not None]
     if given:
-        raise ValueError(f"target_reduction and {given[0]} are both given, and are two targets")
+        raise ValueError(f"target_reduction and {given[0]} do not go together: both are targets")
     number = read_number("target_reduction", target_reduction)
     if not 0 < number < 1:
-        raise ValueError(f"target_reduction is {number}, not in (0, 1): it is the part of the faces that "
-                         "goes")
+        raise ValueError(f"target_reduction is {number}, not in (0, 1): it is the fraction of the "
+                         "faces to remove")
     return 1 - number

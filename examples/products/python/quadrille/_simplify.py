@@ -70,115 +70,114 @@ def simplify(
     share: float = 0.5,
     refresh: bool = False,
 ) -> Simplified:
-    """Simplifies a triangle surface; returns a new one and leaves the arrays of the old one alone.
+    """Simplifies a triangle mesh, and returns a new one. The arrays of the input are not changed.
 
         points, faces = quadrille.simplify(points, faces, faces=1000)
-        result = quadrille.simplify(mesh, relative_error=0.001)      # a Mesh, as of read_mesh()
+        result = quadrille.simplify(mesh, relative_error=0.001)      # a Mesh, such as read_mesh() returns
         small = quadrille.simplify(mesh, target_reduction=0.9).to_like(mesh)   # of PyVista or trimesh
 
     The surface:
 
-    points     numbers of the shape (n, 3), finite, in any unit; or a Mesh, with all that it has; or a
-               pair (points, triangles); or a mesh of trimesh, Open3D, PyVista, VTK (of triangles) or meshio
-               (of which vertices and lines are left out), of which the points and faces are taken, and what
-               attributes= names
-    triangles  integers of the shape (m, 3) in [0, n): the points of each triangle. Any triangles will
-               do: open, non-manifold, of several parts. Degenerate ones are dropped, those doubled
-               the same way round but one, and points of no triangle. Two on the same points that run
-               against each other are the sides of a sheet, and both stay. What is left keeps its
-               order.
-    orient     wind faces as their neighbours are, before anything else: in each piece that hangs
-               together by edges of two faces the fewer are turned, with the values at their
-               corners; result.remarks says how many. A piece of one side only stays as it is
+    points     finite numbers of the shape (n, 3), in any unit; or a Mesh, with everything that it contains; or a
+               pair (points, triangles); or a triangle mesh of trimesh, Open3D, PyVista, VTK or meshio, from which
+               the points, the faces and the attributes named by attributes= are taken (lines and single vertices
+               are left out)
+    triangles  integers of the shape (m, 3) in [0, n): the points of each triangle. The surface may be open,
+               non-manifold or of several components. Degenerate triangles, duplicates with the same winding and
+               points without a triangle are removed. Two triangles on the same points with opposite winding are
+               the two sides of a double-sided face, and both stay. The remaining elements keep their order.
+    orient     before anything else, turn faces so that neighbours are wound alike: in each component connected
+               by edges of two faces, the smaller number of faces is turned, with the values at their corners;
+               result.remarks says how many. A one-sided component stays as it is.
 
-    Targets, of which the first that is met ends it; half of the faces where there is none:
+    Targets. The first one that is met ends the run; without any, the run ends at half of the faces:
 
-    faces, vertices  so many at most, at least 0
-    ratio            that part of the faces, in [0, 1]
-    target_reduction  the part of the faces that goes, in (0, 1), as PyVista and VTK call it: 0.9 is
-                     ratio=0.1; beside no other target
-    error            no point of the result further from the input than that, in the unit of the points
-    relative_error   the same as a part of the diagonal of the bounding box, 0.001 say
-    both_ways        error and relative_error count both ways: no point of the input is further from
-                     the result either, so that thin spikes stay
-    calibrated       with both_ways: go as far as error or relative_error allows when the distance is
-                     measured, and not added up: half of the faces or less, in several runs, for many
-                     times the time. report.hausdorff_bound is what is proved. Progress is told of each
-                     run, and to end one gives the best result of those before
-    tolerance        instead of these, a distance for each point, at least 0: no triangle of the input
-                     further from the result than the least of its corners, see ToleranceLimit
-    stop             a function of a Status, which is asked before each contraction: True is enough
+    faces, vertices  at most this many, at least 0
+    ratio            this fraction of the faces, in [0, 1]
+    target_reduction  the fraction of the faces to remove, in (0, 1), as in PyVista and VTK: 0.9 is
+                     ratio=0.1; cannot be combined with another target
+    error            no point of the result is further from the input than this, in the unit of the points
+    relative_error   the same, as a fraction of the diagonal of the bounding box, such as 0.001
+    both_ways        error and relative_error apply both ways: no point of the input is further from
+                     the result either, so thin spikes stay
+    calibrated       with both_ways: continue until the measured distance, instead of the accumulated bound,
+                     reaches error or relative_error: half as many faces or fewer, in several runs that take
+                     many times as long. report.hausdorff_bound is the proved bound. Progress is reported for
+                     each run; to cancel one returns the best result of the runs before
+    tolerance        instead of error, a distance for each point, at least 0: no triangle of the input is
+                     further from the result than the smallest value of its corners; see ToleranceLimit
+    stop             a function of a Status, called before each contraction: the run ends when it returns True
 
-    How:
+    Method:
 
-    cost             'quadric' (by default, the fastest), 'memoryless_quadric' (a fifth more accurate,
-                     half as fast), 'thin_feature_quadric' (the same, and thin parts stay) or
-                     'edge_length'; or a function of a Pair: a number of at least 0, the least is
-                     contracted first. uv, normals and the like add their own to it
-    placement        where the new point goes: 'optimal' (by default but for edge_length), 'midpoint'
-                     (by default for edge_length) or 'endpoint' (points of the result are of the input)
+    cost             'quadric' (the default and the fastest), 'memoryless_quadric' (a fifth more accurate,
+                     half as fast), 'thin_feature_quadric' (as accurate, and thin features survive) or
+                     'edge_length'; or a function of a Pair that returns a number of at least 0: the pair
+                     with the smallest one is contracted first. uv, normals and others add to the cost
+    placement        where the new point goes: 'optimal' (the default), 'midpoint' (the default with
+                     edge_length) or 'endpoint' (points of the result are points of the input)
     order            'greedy' (the cheapest pair first) or 'relaxed' (in passes, which threads share)
     threads          for 'relaxed', from 1 to 1024; the result does not depend on it
-    boundary_weight  how firmly borders stay, at least 0
-    crease_degrees   edges are held if normals differ by more; with cost='quadric'. 180: none is
-    crease_weight    how firmly
-    weighting        how much a face counts: 'by_area', 'uniform' or 'by_squared_area' (triangle
-                     quadrics); with cost='quadric', as the next three
-    line_weight      how firmly vertices keep to lines along their normals, at least 0: 0.001 gives
-                     better triangles for a little more distance, 0.01 much better ones for more
+    boundary_weight  how firmly boundaries are kept, at least 0
+    crease_degrees   edges are kept like boundaries where the normals of their faces differ by more; for
+                     cost='quadric'. 180: no edges
+    crease_weight    how firmly these edges are kept
+    weighting        the weight of a face: 'by_area', 'uniform' or 'by_squared_area' (triangle quadrics);
+                     for cost='quadric', as are the next three
+    line_weight      how firmly vertices are kept to the lines along their normals, at least 0: 0.001 gives
+                     better triangles at a slightly larger distance, 0.01 much better ones at a larger one
     normal_noise     the standard deviation of unit normals, at least 0; 0.1 is about 6 degrees
-    position_noise   the same of points, in their unit
-    topology         'kept' (by default), 'free' (parts join, holes close) or 'parts_may_vanish'
-    pairs_closer_than  points closer than that may be joined without an edge, in the unit of the points;
-                     topology is 'free' then by default
-    normal_flip      no face turns by that many degrees or more at once, in (0, 180]
-    normal_deviation  no normal is further from those of the input that it stands for, in (0, 180)
-    no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
+    position_noise   the standard deviation of points, in their unit
+    topology         'kept' (the default), 'free' (components join, holes close) or 'parts_may_vanish' (small
+                     components may be removed)
+    pairs_closer_than  points closer than this may be joined without an edge, in the unit of the points;
+                     the topology then defaults to 'free'
+    normal_flip      no single contraction turns a face by this many degrees or more, in (0, 180]
+    normal_deviation  no normal deviates by more degrees than this from the normals of the input that it
+                     replaces, in (0, 180)
+    no_self_intersection  no faces intersect that did not intersect in the input; for 'greedy', takes
                      several times as long
-    keep_solid       a closed solid stays one, and the surface has to be one: see self_intersection.h; for 'greedy'
-    keep_volume      what the surface encloses stays as much; for 'greedy', by 'memoryless_quadric'
-    hull             'outer' (the result encloses the surface, which is closed) or 'inner' (the other
-                     way round); for 'greedy', by 'memoryless_quadric'
-    filter           a function of a Contraction: False forbids it
-    fixed            points that stay where they are: booleans of the shape (n,), or indices
-    selected         triangles that are simplified: booleans of the shape (m,), or indices. Targets are
-                     of these; all points of others stay where they are
-    importance       a number for each point, at least 0, of the shape (n,): where it is large more faces
-                     stay, for 8 times the number about twice as many; only ratios matter
-    share, refresh   for 'relaxed': see RelaxedOrder in order.h
+    keep_solid       a closed solid stays one; the input has to be one, see self_intersection.h; for 'greedy'
+    keep_volume      the enclosed volume stays the same; for 'greedy', with 'memoryless_quadric'
+    hull             'outer' (the result encloses the closed surface) or 'inner' (the surface encloses the
+                     result); for 'greedy', with 'memoryless_quadric'
+    filter           a function of a Contraction, which forbids it by returning False
+    fixed            points that stay in place: booleans of the shape (n,), or indices
+    selected         triangles to simplify: booleans of the shape (m,), or indices. Targets count only
+                     these; all points of other triangles stay in place
+    importance       a number of at least 0 for each point, of the shape (n,): more faces stay where it is
+                     larger, about twice as many for 8 times the number; only ratios matter
+    share, refresh   for 'relaxed': see RelaxedOrder in relaxed_order.h
 
-    What goes along with the surface. Arrays here stand for those of a Mesh; see Mesh and Channel for
-    shapes and forms:
+    Attributes. These arrays replace those of a Mesh; see Mesh and Channel for shapes and forms:
 
-    labels           an integer for each triangle: their regions stay, with their borders
-    label_border_weight  how firmly these borders keep their shape, at least 0
+    labels           an integer for each triangle: regions of equal labels stay, with their boundaries
+    label_border_weight  how firmly these boundaries keep their shape, at least 0
     uv, normals, colors, attributes  values at points, or (values, indices) at corners; attributes is a
-                     dict of them, or, for a mesh of another library, a list of names of its point data
-                     (vertex attributes of trimesh), of which bytes in three or four columns are colours
-    split_vertices   points at exactly the same place are one vertex, as in meshes that are split at
-                     the seams of a texture (trimesh, glTF); the result is split again
+                     dict of them or, for a mesh of another library, a list of names of its point data
+                     (vertex attributes in trimesh), where bytes in three or four columns are colours
+    split_vertices   points at exactly the same place are one vertex, as in meshes that are split along
+                     texture seams (trimesh, glTF); the result is split again
 
-    Watching:
+    Observation:
 
     levels           a Levels, into which all levels of detail are recorded
     progress         called up to 25 times a second with a Status (status.progress goes from 0 to 1);
-                     to return False ends it with the result so far, and to raise ends it with nothing
+                     returning False ends the run with the current result, raising ends it without one
 
-    Returns a Simplified: points, faces and whatever else the input has, in the same forms and types;
-    report, image and input_faces tell what happened. Whether the target was met is told by
-    result.report.is_target_reached, and one that was missed by a UserWarning, with the reason and what helps.
+    Returns a Simplified: points, faces and all attributes of the input, in the same forms and types;
+    report, image and input_faces describe the run. result.report.is_target_reached says whether the target was
+    met; if not, a UserWarning gives the reason and what helps.
 
-    Arrays of float64 and uint32 (or int32) in the order of C are read where they are; others are
-    copied. Do not write to them meanwhile. Other threads of Python run on, and Ctrl-C ends it with a
-    KeyboardInterrupt.
+    Contiguous arrays of float64 and uint32 (or int32) are read in place, others are copied. Do not write to them
+    during the call. Other Python threads keep running, and Ctrl-C ends the call with a KeyboardInterrupt.
 
-    Functions of Python (stop, cost, filter) are asked for each contraction or pair, so that a call takes
-    many times as long: some microseconds for each question, beside what they do themselves. What
-    they raise ends the call with nothing changed. For the same they have to answer the same.
+    Python functions (stop, cost, filter) are called for each contraction or pair, some microseconds each in
+    addition to their own time, so a call takes many times as long. If they raise, the call ends and nothing is
+    changed. They have to return the same answer for the same argument.
 
-    Raises ValueError for what is wrong with an argument, and says which and where; TypeError for
-    attributes that are no dict of names, levels that are no Levels, and objects that are no surface;
-    MemoryError.
+    Raises ValueError if an argument is wrong, and says which one and where; TypeError if attributes is not a
+    dict of names, levels is not a Levels, or the object is not a surface; MemoryError.
     """
     mesh, of_library = _mesh_of(points, triangles)
     given: Dict[str, Any] = dict(labels=labels, uv=uv, normals=normals, colors=colors)
@@ -200,7 +199,7 @@ def simplify(
                           function_of("stop", stop), function_of("progress", progress))
     way = _way_of(options, cost, hull, bool(keep_volume), bool(calibrated))
     if tolerance is not None and target_reduction is not None:
-        raise ValueError("target_reduction and tolerance are both given, and are two targets")
+        raise ValueError("target_reduction and tolerance do not go together")
     if tolerance is not None:
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
     options.label_border_weight = read_number("label_border_weight", label_border_weight)
@@ -221,9 +220,9 @@ def simplify(
 
 
 def _way_of(options: _core.Options, cost: Any, hull: Any, keep_volume: bool, calibrated: bool) -> _core.Way:
-    """By which engine, and what does not go with it."""
+    """Chooses the engine, and rejects arguments that do not go with it."""
     if hull is not None and hull not in ("outer", "inner"):
-        raise ValueError(f"hull is {hull!r}, neither 'outer' nor 'inner'")
+        raise ValueError(f"hull is {hull!r}, not 'outer' or 'inner'")
     asked = [name for name, is_asked in (("hull", hull is not None), ("keep_volume", keep_volume),
                                          ("calibrated", calibrated), ("a function as cost", callable(cost)))
              if is_asked]
@@ -232,11 +231,11 @@ def _way_of(options: _core.Options, cost: Any, hull: Any, keep_volume: bool, cal
     if hull is None and not keep_volume:
         return _core.Way.calibrated if calibrated else _core.Way.compiled
     if cost not in (None, "memoryless_quadric"):
-        raise ValueError(f"{asked[0]} is by cost='memoryless_quadric', not by {cost!r}")
+        raise ValueError(f"{asked[0]} needs cost='memoryless_quadric', not {cost!r}")
     if options.order != _core.Order.greedy:
-        raise ValueError(f"{asked[0]} is for the order 'greedy'")
+        raise ValueError(f"{asked[0]} needs order='greedy'")
     if options.placement is not None:
-        raise ValueError(f"{asked[0]} says where points go, and does not go with a placement")
+        raise ValueError(f"{asked[0]} has its own placement, and does not go with placement=")
     options.cost = _core.Cost.memoryless_quadric
     if hull is None:
         return _core.Way.same_volume
@@ -245,11 +244,11 @@ def _way_of(options: _core.Options, cost: Any, hull: Any, keep_volume: bool, cal
 
 def _check_calibrated(options: _core.Options, levels: Optional[Levels]) -> None:
     if not options.both_ways or (options.error is None) == (options.relative_error is None):
-        raise ValueError("calibrated is for one of error and relative_error, with both_ways=True")
+        raise ValueError("calibrated needs either error or relative_error, with both_ways=True")
     if options.tolerance:
-        raise ValueError("calibrated is for a limit, and does not go with a tolerance")
+        raise ValueError("calibrated does not go with a tolerance")
     if levels is not None:
-        raise ValueError("calibrated does not go with levels: it runs several times")
+        raise ValueError("calibrated does not go with levels: it needs several runs")
 
 
 def _mesh_of(points: Any, triangles: Any) -> Tuple[Mesh, Any]:
@@ -270,7 +269,7 @@ def _mesh_of(points: Any, triangles: Any) -> Tuple[Mesh, Any]:
     is_list = isinstance(points, (list, tuple)) and (len(points) == 0 or np.ndim(points[0]) == 1)
     if not is_list and not hasattr(points, "__array__"):
         raise no_mesh("the first argument", points)
-    raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
+    raise ValueError("the triangles are missing: simplify(points, triangles, ...)")
 
 
 def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], orient: bool, way: _core.Way,
@@ -313,7 +312,7 @@ def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], or
 
 def _oriented(points: Array, faces: Array, channels: List[ReadChannel],
               split_vertices: bool) -> Tuple[Array, List[str]]:
-    """The faces wound as their neighbours are, with the corners of channels, and remarks on that."""
+    """Turns faces to agree with their neighbours, with the corners of channels; returns them with remarks."""
     places = faces
     if split_vertices:
         numbers = np.unique(points, axis=0, return_inverse=True)[1].astype(np.uint32).reshape(-1)
@@ -324,14 +323,14 @@ def _oriented(points: Array, faces: Array, channels: List[ReadChannel],
         faces = turned(faces, against)
         for channel in channels:
             channel.turn(against)
-        remarks.append(f"faces turned, so that neighbours are wound alike: {np.count_nonzero(against)}")
+        remarks.append(f"faces turned to agree with their neighbours: {np.count_nonzero(against)}")
     if one_sided > 0:
-        remarks.append(f"pieces of one side only, whose faces cannot be wound alike: {one_sided}")
+        remarks.append(f"one-sided components, whose faces cannot be wound alike: {one_sided}")
     return faces, remarks
 
 
 def _numbered(given: Any, count: int) -> Tuple[Array, Array]:
-    """Different labels, and of each face the number of its own."""
+    """The different labels, and for each face the index of its label."""
     labels: Array = np.asarray(given)
     if labels.shape != (count,):
         raise ValueError(f"labels has the shape {labels.shape}, not ({count},): one for each face")

@@ -112,12 +112,12 @@ def _behind(others: int, faces: int, data: Dict[str, Any]) -> Dict[str, Array]:
 
 def _require_no_strips(mesh: Any, count: int) -> None:
     if count > 0:
-        raise ValueError(f"the {name_of(mesh)} has strips of triangles: {_remedy(mesh)} first")
+        raise ValueError(f"the {name_of(mesh)} has triangle strips: {_remedy(mesh)} first")
 
 
 def _not_triangles(mesh: Any) -> ValueError:
-    return ValueError(f"the {name_of(mesh)} has faces of other than three corners: {_remedy(mesh)} first")
+    return ValueError(f"the {name_of(mesh)} has faces that are not triangles: {_remedy(mesh)} first")
 
 
 def _remedy(mesh: Any) -> str:
-    return "triangulate() it" if hasattr(mesh, "points") else "vtkTriangleFilter cuts them"
+    return "triangulate() it" if hasattr(mesh, "points") else "apply vtkTriangleFilter"

@@ -1,4 +1,4 @@
-"""Answers to what other libraries call things, and messages of the compiled part in words of Python."""
+"""Hints for argument names of other libraries, and messages of the compiled part in terms of Python."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 class _Rule(NamedTuple):
-    """What is meant by names with one of these pieces, and what to say; {0} is the value given."""
+    """The hint for names that contain one of these pieces; {0} is the given value."""
 
     pieces: Tuple[str, ...]
     arguments: Tuple[str, ...]
@@ -24,48 +24,48 @@ class _Rule(NamedTuple):
 # The first rule with a piece that the name has, and an argument that the function has, answers.
 _RULES = (
     _Rule(("return", "mapping", "collapses", "vertexmap"), ("fixed",),
-          "what became of each point and face is in the result: result.image and result.input_faces"),
+          "the result has these maps: result.image for points and result.input_faces for faces"),
     _Rule(("iteration", "aggress", "agg", "updaterate", "alpha", "lossless", "threshold", "sharpness"), ("error",),
-          "there is nothing of the kind: the cheapest pair always goes first, until a target is met; error= is a "
-          "limit for the distance"),
-    _Rule(("degree", "valence"), ("filter",), "a filter= may ask contraction.highest_degree"),
+          "there is no such option: the cheapest pair is always contracted first, until a target is met; error= limits "
+          "the distance"),
+    _Rule(("degree", "valence"), ("filter",), "a filter= function can check contraction.highest_degree"),
     _Rule(("reduction", "decimat", "percent", "fraction", "ratio", "perc", "proportion", "factor"), ("ratio",),
-          "ratio= is the fraction of the faces that stays, target_reduction= the fraction that is removed"),
+          "ratio= is the fraction of the faces to keep, target_reduction= the fraction to remove"),
     _Rule(("parallel", "jobs", "worker", "core", "thread", "cpu"), ("threads",),
-          "threads= says how many, with order='relaxed'"),
+          "threads= sets the number of threads, with order='relaxed'"),
     _Rule(("error", "tolerance", "distance", "deviation", "epsilon", "eps"), ("error", "relative_error"),
           "error= is a limit in the unit of the points, relative_error= a fraction of the diagonal"),
     _Rule(("error", "tolerance", "distance", "deviation", "epsilon", "eps"), ("distance",),
-          "distance= and distance_both_ways= are the claims"),
+          "use distance= or distance_both_ways="),
     _Rule(("border", "boundary", "bounds"), ("boundary_weight",),
-          "borders hold by boundary_weight=, 100 by default; fixed= takes points that may not move at all"),
+          "boundary_weight= says how firmly boundaries are kept (default: 100); fixed= takes points that must not move"),
     _Rule(("locked", "lock", "constrain", "frozen", "freeze", "pinned", "anchor"), ("fixed",),
-          "fixed= takes points that stay where they are"),
+          "fixed= takes the points that stay in place"),
     _Rule(("selec", "region", "onlyfaces", "facemask"), ("selected",), "selected= takes the triangles to simplify"),
-    _Rule(("volume",), ("keep_volume",), "keep_volume=True keeps what the surface encloses"),
+    _Rule(("volume",), ("keep_volume",), "keep_volume=True keeps the enclosed volume"),
     _Rule(("topology", "manifold", "genus"), ("topology",),
           "topology= is 'kept' by default; 'free' and 'parts_may_vanish' let it change"),
     _Rule(("verbose", "progress", "callback", "quiet", "log", "tqdm"), ("progress",),
           "progress= takes a function that receives the progress; progress=print shows it"),
     _Rule(("inplace", "copy", "overwrite"), ("fixed",),
-          "nothing is changed in place: the result is a new mesh, and to_like() makes it one of the class given"),
+          "nothing is changed in place: the result is a new mesh, and its to_like() converts it to the class of another mesh"),
     _Rule(("weld", "merge", "duplicate", "clean", "dedup"), ("split_vertices",),
-          "split_vertices=True takes points at exactly the same place as one"),
-    _Rule(("weld", "merge", "duplicate", "clean", "dedup"), ("weld",), "weld=True makes points at the same place one"),
+          "split_vertices=True treats points at exactly the same place as one"),
+    _Rule(("weld", "merge", "duplicate", "clean", "dedup"), ("weld",), "weld=True merges points at the same place"),
     _Rule(("color", "colour", "rgb"), ("colors",),
-          "colors= takes them, one for each point, or (values, indices) at corners"),
+          "colors= takes colours, one for each point, or (values, indices) at corners"),
     _Rule(("tcoord", "texcoord", "texture", "uvs", "uv"), ("uv",),
           "uv= takes texture coordinates, one for each point, or (values, indices) at corners"),
     _Rule(("angle", "crease", "feature", "sharp"), ("crease_degrees",),
-          "crease_degrees= holds sharp edges, normal_deviation= bounds how far normals turn"),
+          "crease_degrees= keeps sharp edges, normal_deviation= limits how far normals turn"),
     _Rule(("normal",), ("normals",),
-          "normals= takes them, one for each point; normal_flip= and normal_deviation= bound how far faces turn"),
+          "normals= takes normals, one for each point; normal_flip= and normal_deviation= limit how far faces turn"),
     _Rule(("importance", "quality", "weights", "density"), ("importance",),
           "importance= takes a number for each point; more faces stay where it is large"),
     _Rule(("regular", "shape", "planar", "line"), ("line_weight",), "line_weight= gives better triangles"),
-    _Rule(("length",), ("error",), "there is no target of lengths; cost='edge_length' contracts the shortest edges first"),
+    _Rule(("length",), ("error",), "there is no target for edge lengths; cost='edge_length' contracts the shortest edges first"),
     _Rule(("keep", "part"), ("ratio",),
-          "ratio= is the fraction of the faces that stays, target_reduction= the fraction that is removed"),
+          "ratio= is the fraction of the faces to keep, target_reduction= the fraction to remove"),
     _Rule(("optimal", "position", "midpoint", "endpoint", "contraction"), ("placement",),
           "placement= is 'optimal', 'midpoint' or 'endpoint'"),
     _Rule(("method", "algorithm", "metric", "mode", "strategy"), ("cost",),
@@ -73,20 +73,20 @@ _RULES = (
     _Rule(("material", "segment", "group", "patch", "region"), ("labels",),
           "labels= takes an integer for each triangle"),
     _Rule(("attribute", "scalar", "vector", "tensor", "array", "pointdata", "vertexdata"), ("attributes",),
-          "attributes= takes a dict of values, or a list of names of the mesh's own"),
+          "attributes= takes a dict of values, or a list of names of the mesh's attributes"),
     _Rule(("lod", "levels", "history"), ("levels",), "levels= takes a quadrille.Levels to record into"),
     _Rule(("voxel", "cell", "cluster", "grid"), ("pairs_closer_than",),
           "pairs_closer_than= joins points that are closer than a distance"),
     _Rule(("vert", "point", "node"), ("vertices",), "pass the number of vertices to keep as vertices={0}"),
     _Rule(("face", "triang", "tri", "poly", "target", "count", "number", "size", "max", "goal", "amount"), ("faces",),
           "pass the number of faces to keep as faces={0}"),
-    _Rule(("sample", "number", "count"), ("samples",), "samples= says how many there are on each surface"),
-    _Rule(("camera", "view", "position", "origin"), ("eye",), "eye= is the place that it is seen from"),
+    _Rule(("sample", "number", "count"), ("samples",), "samples= sets the number of samples on each surface"),
+    _Rule(("camera", "view", "position", "origin"), ("eye",), "eye= is the position of the viewer"),
 )
 
 def in_our_words(function: F) -> F:
-    """The function, which answers arguments of other names, and numbers without a name, by what they are
-    called here, and whose errors have no names of C++."""
+    """Wraps a function: unknown names of arguments and unnamed numbers raise an error that suggests the right
+    name, and errors contain no names of C++."""
     parameters = inspect.signature(function).parameters.values()
     most = sum(p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters)
     known = [p.name for p in parameters if p.kind in (p.KEYWORD_ONLY, p.POSITIONAL_OR_KEYWORD)]
@@ -113,11 +113,11 @@ def in_our_words(function: F) -> F:
 
 
 def _require_arrays_first(function: str, named: Mapping[str, Any], known: Sequence[str]) -> None:
-    """A surface has no name."""
+    """Raises if a surface is passed by name."""
     for name in ("points", "vertices", "verts", "V", "v", "triangles", "faces", "F", "f", "mesh"):
         value = named.get(name)
         if name == "mesh" and value is not None:
-            raise TypeError(f"the mesh is given by name: it comes first, {function}(mesh, ...)")
+            raise TypeError(f"the mesh comes first, without a name: {function}(mesh, ...)")
         if value is None or (name in known and np.ndim(value) != 2):
             continue
         if name == "faces" and name in known:
@@ -128,12 +128,12 @@ def _require_arrays_first(function: str, named: Mapping[str, Any], known: Sequen
 
 
 def about_number(what: str, value: Any, known: Sequence[str]) -> str:
-    """What a number without a name could be."""
+    """The hint for an unnamed argument."""
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.number)) or "ratio" not in known:
-        return f"{what} is a {type(value).__name__}: all but the surface is given by name"
+        return f"{what} is a {type(value).__name__}: all arguments except the surface need their names"
     if float(value) > 1:
         return f"{what} is {value!r}: pass the number of faces to keep as faces={value!r}"
-    return (f"{what} is {value!r}: pass a fraction of the faces to keep as ratio={value!r}, one to remove as "
+    return (f"{what} is {value!r}: pass the fraction of the faces to keep as ratio={value!r}, or the one to remove as "
             f"target_reduction={value!r}")
 
 
@@ -142,7 +142,7 @@ def _meant(name: str, value: Any, known: Sequence[str]) -> str:
     plain = "number" if plain in ("n", "m", "num") else plain.replace("triangle", "face")
     for near in known:
         if plain == near.replace("_", ""):
-            return f": it is {near}="
+            return f": its name is {near}="
     shown = repr(value) if isinstance(value, (int, float, np.number)) and not isinstance(value, bool) else "1000"
     for rule in _RULES:
         if any(argument in known for argument in rule.arguments) and any(piece in plain for piece in rule.pieces):
@@ -155,12 +155,12 @@ def _meant(name: str, value: Any, known: Sequence[str]) -> str:
 _NAMES: List[Tuple[str, str]] = [
     (r"quadrille::ChannelOptions: ", "a Channel: "),
     (r"; CGAL::Polygon_mesh_processing::orient_to_bound_a_volume changes that",
-     ": turn its faces round, faces[:, [0, 2, 1]]"),
-    (r"; CGAL::Polygon_mesh_processing .*", "; orient=True winds faces alike, split_vertices=True joins points at one place"),
+     ": turn its faces over, faces[:, [0, 2, 1]]"),
+    (r"; CGAL::Polygon_mesh_processing .*", "; orient=True winds faces alike, split_vertices=True treats points at the same place as one"),
     (r"quadrille::ThresholdPairs: the threshold", "pairs_closer_than: the distance"),
     (r"quadrille::ThresholdPairs", "pairs_closer_than"),
-    (r"quadrille::NoSelfIntersection needs GreedyOrder", "no_self_intersection=True is for order='greedy'"),
-    (r"quadrille::KeepSolid needs GreedyOrder", "keep_solid=True is for order='greedy'"),
+    (r"quadrille::NoSelfIntersection needs GreedyOrder", "no_self_intersection=True needs order='greedy'"),
+    (r"quadrille::KeepSolid needs GreedyOrder", "keep_solid=True needs order='greedy'"),
     (r"quadrille::KeepSolid", "keep_solid"),
     (r"quadrille::FaceRatio: the ratio", "ratio"),
     (r"quadrille::(?:DistanceLimit|HausdorffLimit): the limit", "error or relative_error: the limit"),
@@ -168,7 +168,7 @@ _NAMES: List[Tuple[str, str]] = [
     (r"quadrille::NormalFlip", "normal_flip"),
     (r"quadrille::Labels: border_weight", "label_border_weight"),
     (r"quadrille::Levels: distances have not been recorded: .*",
-     "no distances are recorded: they are where simplify() had error= or relative_error="),
+     "no distances are recorded: simplify() records them with error= or relative_error="),
     (r"pass no Topology::free or (?:Topology::)?parts_may_vanish(?: beside it)?",
      "it does not go with topology='free' or 'parts_may_vanish'"),
     (r"the order of RelaxedOrder|RelaxedOrder", "order='relaxed'"),

@@ -16,7 +16,7 @@ export function described(value) {
 function require(names, wanted, name, value, size, unit) {
   if (!names[typeName(value)]) throw new TypeError(`quadrille: ${name} is ${described(value)}, not ${wanted}`);
   if (value.length % size !== 0)
-    throw new RangeError(`quadrille: ${name} has ${value.length} numbers, which are no ${unit} of ${size} each`);
+    throw new RangeError(`quadrille: ${name} has ${value.length} numbers, which is not a multiple of ${size}, as for ${unit}`);
   return value;
 }
 

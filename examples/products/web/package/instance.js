@@ -15,7 +15,7 @@ async function fetched(address) {
 }
 
 async function compiledResponse(response) {
-  if (!(response instanceof Response)) throw new TypeError("quadrille: wasm is no code: bytes, a module, an address or a response");
+  if (!(response instanceof Response)) throw new TypeError("quadrille: wasm is not bytes, a module, an address or a response");
   if (!response.ok) throw new Error(`quadrille: ${response.url || "the module"} cannot be fetched: ${response.status} ${response.statusText}`);
   return WebAssembly.compile(await response.arrayBuffer());
 }
@@ -48,7 +48,7 @@ export class Instance {
         },
         environ_get: nothing,
         proc_exit(status) {
-          throw new Error(`quadrille: the module has ended with ${status}`);
+          throw new Error(`quadrille: the module ended with status ${status}`);
         },
       },
     };

@@ -97,7 +97,7 @@ export class Levels {
     this.#requireFree();
     const entries = Object.entries(stop ?? {});
     if (entries.length !== 1 || !stops.includes(entries[0][0]) || typeof entries[0][1] !== "number" || !(entries[0][1] >= 0))
-      throw new TypeError(`quadrille: a level is asked for by one of ${stops.join(", ")}, as {faces: 1000}`);
+      throw new TypeError(`quadrille: a level is chosen by one of ${stops.join(", ")}, such as {faces: 1000}`);
     const [name, number] = entries[0];
     this.#name(name);
     const least = isCount(name) ? Math.min(Math.floor(number), 2 ** 32 - 1) : number;

@@ -37,7 +37,7 @@ function readAttribute(key, attribute, points, corners) {
   const ofAPoint = indices ? undefined : points > 0 ? values.length / points : 1;
   const components = attribute.components ?? componentsOfKind[kind] ?? ofAPoint;
   if (!Number.isInteger(components) || components < 1)
-    throw new RangeError(`quadrille: ${name} has ${values.length} numbers for ${points} points: say how many components a value has`);
+    throw new RangeError(`quadrille: ${name} has ${values.length} numbers for ${points} points: set the number of components`);
   requireReals(`${name}.values`, values, components, "values");
   if (!indices) requireLength(`${name}.values`, values, components * points, `components of ${points} points`);
   return { name: key, kind, values, indices, components, options: optionsOf(name, attribute, components) };

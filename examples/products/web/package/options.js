@@ -18,13 +18,13 @@ const all = [...counts, ...numbers, ...booleans, ...choices, ...masks, ...arrays
 /** Throws a TypeError for a key that nothing reads. */
 export function requireKeys(name, object, keys) {
   for (const key of Object.keys(object))
-    if (!keys.includes(key)) throw new TypeError(`quadrille: ${name} ${JSON.stringify(key)}, which is none of ${keys.join(", ")}`);
+    if (!keys.includes(key)) throw new TypeError(`quadrille: ${name} ${JSON.stringify(key)}, which is not one of ${keys.join(", ")}`);
 }
 
 /** Looks at the options for a mesh; throws an error that names what is wrong. */
 export function readOptions(options, { points, triangles }) {
   if (options === null || typeof options !== "object")
-    throw new TypeError(`quadrille: the options are ${described(options)}, not an object as {faces: 1000}`);
+    throw new TypeError(`quadrille: the options are ${described(options)}, not an object such as {faces: 1000}`);
   requireKeys("the options have", options, all);
   const given = (names) => names.filter((name) => options[name] !== undefined && options[name] !== null);
   const sizes = { fixed: points, selected: triangles };
@@ -60,7 +60,7 @@ function levelsOf({ levels }) {
   return levels;
 }
 
-// Bytes are a mask; other integers are indices of what is meant.
+// Bytes are a mask; other integers are indices.
 function mask(name, value, size) {
   requireUnsigned(name, requireIntegers(name, value));
   if (value.BYTES_PER_ELEMENT === 1) return requireLength(name, value, size, name === "fixed" ? "points" : "triangles").map((byte) => (byte ? 1 : 0));

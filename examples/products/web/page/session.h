@@ -36,7 +36,7 @@ public:
     shown.mesh =
         with_vertices_of_values(read_mesh(Source{name, std::move(content)}, mesh_format(name)));
     if (shown.mesh.triangles.empty())
-      throw std::runtime_error(name + ": there are no faces");
+      throw std::runtime_error(name + ": it has no faces");
     shown.looks.notes = shown.mesh.remarks;
     if (!shown.mesh.losses.empty())
       shown.looks.notes.push_back("Not kept: " + shown.mesh.losses.text());
