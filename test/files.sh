@@ -270,7 +270,7 @@ small_files() {
 
   if has float_colour_above_one.ply; then
     run out.off --ratio 1
-    expect_remark 'numbers above 1'
+    expect_remark 'values above 1'
     awk 'NR == 3 { exit !($4 == 0.5) }' "$work/out.off" || fail "0.5 has changed"
     awk 'NR == 4 { exit !($4 == 0.9) }' "$work/out.off" || fail "0.9 has changed"
   fi

@@ -441,7 +441,7 @@ expect stderr "^elsewhere/a.obj: OUT refers to the material file 'a.mtl', which 
 for quiet in 'elsewhere/a.obj elsewhere/out.obj' 'elsewhere/a.obj out.off' 'parts.obj elsewhere/out.obj'; do
   # shellcheck disable=SC2086
   run 0 --keep 100% $quiet
-  ! grep -q 'names the material' stderr || fail "a remark of material files"
+  ! grep -q 'refers to the material' stderr || fail "a remark of material files"
 done
 rm -r elsewhere
 
@@ -644,7 +644,7 @@ head -c 900 record.qlv >cut.qlv
 { head -c 100 record.qlv; printf '\377\377\377\377'; tail -c +105 record.qlv; } >damaged.qlv
 for bad in cut.qlv damaged.qlv plain.off missing.qlv; do
   run 2 --from $bad out.off --faces 700
-  expect stderr "^$bad: no file of levels, or a broken one: "
+  expect stderr "^$bad: not a file of levels, or a damaged one: "
   expect_nothing stdout
 done
 for bad in '--from record.qlv plain.off out.off' '--from record.qlv --cost quadric out.off' \
@@ -767,7 +767,7 @@ expect stderr '^plain.off: it is in the folder of --into, so its result would re
 run 2 plain.off results/new/plain.off --into results
 expect stderr '^results/new/plain.off: two results would be written to results/plain.off$'
 run 2 plain.off second.off --into results --report report.json
-expect stderr '^--into is for several results'
+expect stderr '^--into writes several results'
 
 # A part of two faces is left alone, unless fewer faces are asked for.
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >quad.off
@@ -1013,14 +1013,14 @@ run 1 shells.off out.off --no-self-intersection --faces 12 --placement midpoint
 expect stderr '^out.off: with --placement (endpoint|optimal) the result has [0-9]* faces, error about [0-9.]* % of the diagonal$'
 run 0 --solid --verify --faces 100 ball.off out.off
 expect stdout ', 0 -> 0 pairs of faces intersect, [0-9.]+ % of the volume$'
-expect stdout 'verified: .*; parts: 1 promised, 1 measured; .*; parts that lie in others than before: 0 promised, 0 measured$'
+expect stdout 'verified: .*; components: 1 promised, 1 measured; .*; components inside other components than before: 0 promised, 0 measured$'
 run 2 plain.off out.off --solid
-expect stderr 'plain.off: the surface is not closed: [0-9]+ edges have not as many faces'
+expect stderr 'plain.off: the surface is not closed: [0-9]+ edges have different numbers of faces'
 run 2 plain.off out.off --solid --topology free
 expect stderr '^--solid keeps the topology'
 run 0 ball.off out.off --faces 200 --normals 40 --verify --report out.json
 expect stdout ', normals within [0-9.]+ degrees$'
-expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* become: 0 promised, 0 measured$'
+expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* without a face in the input: 0 promised, 0 measured$'
 grep -q '"normal_bound_degrees": [0-9]' out.json || fail "no figures of normals"
 run 2 ball.off out.off --normals 0
 run 2 plain.off out.off --verify
@@ -1307,7 +1307,7 @@ rm -f large.off
 write_sheet sheet.gltf
 run 0 sheet.gltf out.glb --normals 60 --verify
 expect stdout '^sheet.gltf: 128 -> 6[34] faces'
-expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* become: 0 promised, 0 measured$'
+expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* without a face in the input: 0 promised, 0 measured$'
 expect stderr '^sheet.gltf: the buffers of IN have 708 bytes, those of OUT 712: a promise needs floats, and the positions of IN were integers$'
 run 0 out.glb out.gltf --ratio 1
 expect stdout '^out.glb: 6[34] -> 6[34] faces'
@@ -1320,7 +1320,7 @@ head -c 4 stdout | grep -q '^glTF' || fail "no GLB on standard output"
 # What it cannot know, or is wrong, is told. Meshes of the same accessors go on sharing what they have.
 sed 's/"asset"/"extensionsRequired": ["FOO_bar", "KHR_materials_unlit"], "images": [{"uri": "none.png"}], "asset"/' sheet.gltf >told.gltf
 run 0 told.gltf out.gltf
-expect stderr "^told.gltf: IN requires the extension 'FOO_bar', which is not known here"
+expect stderr "^told.gltf: IN requires the extension 'FOO_bar', which Quadrille does not know"
 expect stderr "^told.gltf: the image 'none.png' is not there$"
 [ "$(wc -l <stderr)" -eq 2 ] || fail "other remarks"
 sed -e 's/"meshes": \[{\(.*\)}\],$/"meshes": [{\1}, {"name": "twin", \1}, {"primitives": [{"attributes": {"POSITION": 2}, "indices": 1}]}],/' \
@@ -1502,7 +1502,7 @@ expect stderr '^--step 1: the phase has 1 chunks, numbered from 0$'
 run 2 whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M
 expect stderr '^scratch/quadrille-job: has a job in it: '
 run 2 whole.ply out.ply --faces 90 --out-of-core scratch --memory 128M --restart
-expect stderr '^scratch/quadrille-job: has parts of another file, or of another target, '
+expect stderr '^scratch/quadrille-job: has chunks of another file, or for another target, '
 expect_same out.ply expected.ply
 for option in '' '--cost memoryless' '--cost thin-features' '--cost length' '--placement endpoint' '--topology free'; do
   rm -rf scratch
@@ -1552,7 +1552,7 @@ run 0 field.ply out.ply --tolerance allowed --verify --out-of-core scratch
 expect stdout '^field.ply: .*, and no point of IN further than that from OUT, [0-9.]+ % of allowed used, in 1 chunk '
 expect stdout '^out.ply: verified: distance of the input from the result, beyond its tolerances: 0 promised, 0 measured; '
 run 2 whole.ply out.ply --tolerance size --out-of-core scratch
-expect stderr '^whole.ply: its vertices have no scalar size of tolerances, nor any other: '
+expect stderr '^whole.ply: its vertices have no scalar size for tolerances; they have none at all'
 run 2 whole.ply ./whole.ply --measure --out-of-core scratch
 expect stderr '^whole.ply: is both IN and OUT, '
 run 2 whole.ply out.ply --measure --verify --out-of-core scratch
@@ -1614,10 +1614,10 @@ if free=$(df -Pk $memory_disk 2>/dev/null | awk 'NR == 2 && $1 == "tmpfs" { prin
   printf 'element face %s\nproperty list uchar int vertex_indices\nend_header\n' $faces >>large.ply
   truncate -s $((faces * 19 + $(wc -c <large.ply))) large.ply
   run 2 large.ply out.ply --keep 1% --out-of-core $memory_disk/quadrille-$$/scratch --memory 16G
-  expect stderr '^/dev/shm/quadrille-[0-9]*/scratch: only [0-9.]+ GB are free there, and the job takes about [0-9.]+ GB$'
+  expect stderr '^/dev/shm/quadrille-[0-9]*/scratch: only [0-9.]+ GB are free there, and the job needs about [0-9.]+ GB$'
   [ ! -e $memory_disk/quadrille-$$ ] || fail "the scratch folder is left"
   run 2 large.ply $memory_disk/quadrille-$$.ply --keep 100% --out-of-core scratch --memory 16G
-  expect stderr '^/dev/shm/quadrille-[0-9]*\.ply: only [0-9.]+ GB are free there, and what is left of the surface takes about '
+  expect stderr '^/dev/shm/quadrille-[0-9]*\.ply: only [0-9.]+ GB are free there, and the rest of the surface needs about '
   rm large.ply
 fi
 

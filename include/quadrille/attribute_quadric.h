@@ -121,8 +121,8 @@ struct AttributeQuadric {
   void validate() const {
     internal::require_weight("quadrille::AttributeQuadric", "boundary_weight", boundary_weight);
     if (weighting == Weighting::by_squared_area)
-      throw std::invalid_argument("quadrille::AttributeQuadric: Weighting::by_squared_area is for "
-                                  "Quadric");
+      throw std::invalid_argument(
+          "quadrille::AttributeQuadric: Weighting::by_squared_area needs Quadric");
     if (!(importance > 0) || !std::isfinite(importance))
       throw std::invalid_argument("quadrille::AttributeQuadric: importance " +
                                   internal::text_of(importance) + " is not above 0 and finite");

@@ -64,7 +64,7 @@ public:
     require(offset <= stride && sizeof(value_type) <= stride - offset,
             std::to_string(sizeof(value_type)) + " bytes at " + std::to_string(offset) +
                 " do not lie in a stride of " + std::to_string(stride));
-    require(vertices || count == 0, "no memory of " + std::to_string(count) + " vertices");
+    require(vertices || count == 0, "no buffer of " + std::to_string(count) + " vertices");
   }
 
   /// Views a member of each vertex in a contiguous container.
@@ -74,9 +74,11 @@ public:
       : VertexAttribute(std::ranges::data(vertices), std::ranges::size(vertices), sizeof(Vertex),
                         offset_of(vertices, member)) {
     static_assert(std::is_trivially_copyable_v<Vertex>,
-                  "quadrille::VertexAttribute: vertices are moved as bytes, which these are not.");
-    static_assert(sizeof(Member) == sizeof(value_type) && std::is_trivially_copyable_v<Member>,
-                  "quadrille::VertexAttribute: this member is not N numbers of type T.");
+                  "quadrille::VertexAttribute: vertices are copied as bytes, so they have to be "
+                  "trivially copyable.");
+    static_assert(
+        sizeof(Member) == sizeof(value_type) && std::is_trivially_copyable_v<Member>,
+        "quadrille::VertexAttribute: this member does not consist of N numbers of type T.");
   }
 
   std::byte* data() const { return vertices_; }  ///< of the first vertex
@@ -139,7 +141,7 @@ public:
   explicit MatrixRows(Matrix& matrix) : matrix_(&matrix) {
     if (matrix.cols() < static_cast<Index>(N))
       throw std::invalid_argument("quadrille::matrix_rows: " + std::to_string(matrix.cols()) +
-                                  " columns are fewer than " + std::to_string(N));
+                                  " columns are less than " + std::to_string(N));
   }
 
   /// Throws std::out_of_range if there is no such row.

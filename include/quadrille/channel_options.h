@@ -80,7 +80,7 @@ struct ChannelOptions {
       require_positive("a weight", weight);
     if (border_weight && (!(*border_weight >= 0) || !std::isfinite(*border_weight)))
       throw std::invalid_argument("quadrille::ChannelOptions: border_weight " +
-                                  internal::text_of(*border_weight) + " is not a weight");
+                                  internal::text_of(*border_weight) + " is negative or not finite");
   }
 };
 
@@ -117,7 +117,7 @@ struct Labels {
   void validate() const {
     if (!(border_weight >= 0) || !std::isfinite(border_weight))
       throw std::invalid_argument("quadrille::Labels: border_weight " +
-                                  internal::text_of(border_weight) + " is not a weight");
+                                  internal::text_of(border_weight) + " is negative or not finite");
   }
 };
 template <class Map>

@@ -74,7 +74,7 @@ inline std::ostream& operator<<(std::ostream& out, const ClusterReport& report) 
   return out << report.faces_before << " -> " << report.faces_after << " faces, "
              << report.vertices_before << " -> " << report.vertices_after << " vertices, "
              << report.cells.x << " x " << report.cells.y << " x " << report.cells.z << " cells, "
-             << report.doubled_faces << " doubled faces";
+             << report.doubled_faces << " duplicate faces";
 }
 
 namespace internal {
@@ -90,7 +90,7 @@ template <class Soup>
 CellGrid grid_of(const Soup& soup, const Grid& grid, Clusters&) {
   if (grid.x == 0 || grid.y == 0 || grid.z == 0)
     refuse_clustering("a grid of " + std::to_string(grid.x) + " x " + std::to_string(grid.y) +
-                      " x " + std::to_string(grid.z) + " cells has none");
+                      " x " + std::to_string(grid.z) + " cells is empty");
   return CellGrid(soup.box(), {static_cast<double>(grid.x), static_cast<double>(grid.y),
                                static_cast<double>(grid.z)});
 }

@@ -54,7 +54,7 @@ struct ShortestEdge {
   void validate() const {
     if (!(length >= 0))
       throw std::invalid_argument("quadrille::ShortestEdge: the length " +
-                                  internal::text_of(length) + " is not a length");
+                                  internal::text_of(length) + " is negative or not a number");
   }
 };
 

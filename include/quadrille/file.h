@@ -83,15 +83,16 @@ public:
         runner_(options.locks_boundary, std::move(cost), std::move(placement), policies...),
         watch_(options.proceed), job_(made_job(internal::FileTarget(stop, runner_.is_limited()))) {
     if (options.scratch.empty())
-      throw std::invalid_argument("quadrille::OutOfCore: no scratch folder is given");
+      throw std::invalid_argument("quadrille::OutOfCore: the scratch folder is missing");
     if (!(options.attribute_importance > 0 && options.attribute_importance < 1e30))
       throw std::invalid_argument("quadrille::OutOfCore: attribute_importance has to be above 0");
     if (runner_.is_limited_by_tolerance() && options.tolerance.empty())
-      throw std::invalid_argument("quadrille::OutOfCore: ToleranceLimit needs tolerances: name the "
-                                  "number of vertices that is theirs");
+      throw std::invalid_argument(
+          "quadrille::OutOfCore: ToleranceLimit needs tolerances: set OutOfCore::tolerance to "
+          "the name of a scalar property of vertices");
     if (!runner_.is_limited_by_tolerance() && !options.tolerance.empty())
       throw std::invalid_argument("quadrille::OutOfCore: nothing enforces the tolerances of '" +
-                                  options.tolerance + "': pass ToleranceLimit as stop policy");
+                                  options.tolerance + "': pass ToleranceLimit as a stop policy");
   }
   /// Takes default-constructed policies.
   template <class Stop>
@@ -119,7 +120,7 @@ public:
     lock();
     if (job_.folder().phase_at_work() > 0 && !options_.restart)
       internal::fail_file(job_.folder().path(),
-                          "has a job in it: restart it, or remove this folder");
+                          "has a job in it: restart the job, or remove this folder");
     if (job_.take_up())
       return job_.remove_phase_before();
     try {
@@ -144,7 +145,7 @@ public:
   void require_output(const std::filesystem::path& output) const {
     if (!options_.keeps_tiles)
       internal::require_writable(output);
-    internal::require_space(output, estimate().output, "what is left of the surface");
+    internal::require_space(output, estimate().output, "the rest of the surface");
   }
 
   /// Returns the number of samples to take in this phase: 0 if it needs none, or if settle() was
@@ -173,7 +174,7 @@ public:
   /// Joins the current phase, to simplify chunks of it.
   void join() {
     if (!job_.take_up())
-      internal::fail_file(job_.folder().scratch(), "has no job in it whose parts are cut");
+      internal::fail_file(job_.folder().scratch(), "has no job in it whose chunks are cut");
   }
 
   /// the current phase, from 1 on
@@ -193,7 +194,7 @@ public:
   bool simplify(std::size_t part, const IsCancelled& is_cancelled) const {
     if (!job_.plan().is_settled)
       throw std::logic_error("quadrille::PartitionedSimplifier: phase " + std::to_string(phase()) +
-                             " is not settled");
+                             " is not resolved");
     return job_.is_done(part) || runner_.simplify(job_, part, is_cancelled);
   }
   /// Simplifies a chunk and cannot be cancelled.

@@ -43,7 +43,7 @@ class FolderOfCheck {
 public:
   explicit FolderOfCheck(const std::filesystem::path& scratch) : folder_(scratch), lock_(folder_) {
     if (folder_.phase_at_work() > 0)
-      fail_file(folder_.path(), "has a job in it: give another folder to compare files in");
+      fail_file(folder_.path(), "has a job in it: choose another folder to compare files in");
     folder_.remove_phases();
   }
   FolderOfCheck(const FolderOfCheck&) = delete;
@@ -216,8 +216,9 @@ inline Verdict verify_files(const SurfaceFiles& input, const SurfaceFiles& resul
   internal::DistanceFindings::require_sense(claims);
   if (!claims.tolerances.empty() || claims.no_self_intersection || claims.solid ||
       claims.normal_deviation)
-    throw std::invalid_argument("quadrille::verify_files: of surfaces in files distances can be "
-                                "claimed, and tolerances by a name, and nothing else");
+    throw std::invalid_argument(
+        "quadrille::verify_files: only distances, and tolerances by the name of a property, "
+        "can be claimed of files");
   Verdict verdict;
   if (claims.are_distances_claimed())
     verdict = internal::FileComparison(input, result, options).verdict(claims);

@@ -200,9 +200,10 @@ private:
 
 template <class Guard, std::size_t N>
 struct MadeByUser {
-  static_assert(GuardPolicy<Guard>,
-                "What a guard begins with has members allows(contraction), a bool, and "
-                "follow(contraction): see GuardPolicy in <quadrille/guard.h>.");
+  static_assert(
+      GuardPolicy<Guard>,
+      "The result of a guard's begin() has to have the members allows(contraction), which "
+      "returns bool, and follow(contraction): see GuardPolicy in <quadrille/guard.h>.");
 
   static std::unique_ptr<SurfaceGuard<N>> make(const Guard& guard, const GuardRoom<N>& room) {
     return std::make_unique<UserGuard<Guard, N>>(guard, room);

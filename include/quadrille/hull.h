@@ -211,9 +211,10 @@ private:
     }
 
     static QuadricForm<3> quadric_of(const Pair& pair) {
-      static_assert(internal::SeesQuadric<Pair> || internal::AccumulatesQuadric<Pair>,
-                    "OuterHull and InnerHull need a cost with a quadric: use Quadric, "
-                    "MemorylessQuadric or ThinFeatureQuadric.");
+      static_assert(
+          internal::SeesQuadric<Pair> || internal::AccumulatesQuadric<Pair>,
+          "OuterHull and InnerHull need a cost with a quadric: use Quadric, MemorylessQuadric "
+          "or ThinFeatureQuadric.");
       if constexpr (internal::SeesQuadric<Pair>)
         return pair.current.quadric;
       else

@@ -186,8 +186,9 @@ public:
   LevelPlace find(const DistanceAtMost& stop) const {
     const LevelSegment& segment = segments_.front();
     if (segment.contractions() > 0 && segment.bounds.empty())
-      throw std::logic_error("quadrille::Levels: distances have not been recorded: simplify with a "
-                             "stop policy that asks for them, as DistanceLimit");
+      throw std::logic_error(
+          "quadrille::Levels: distances have not been recorded: simplify with a stop policy "
+          "that needs them, such as DistanceLimit");
     return last(
         [&](const LevelSegment& s, std::size_t i) { return s.bound_at(i) <= stop.distance; });
   }

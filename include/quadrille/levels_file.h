@@ -60,7 +60,7 @@ class LevelsFile {
       return task();
     } catch (const std::runtime_error& e) {
       throw std::runtime_error(path_.string() +
-                               ": no file of levels, or a broken one: " + e.what());
+                               ": not a file of levels, or a damaged one: " + e.what());
     }
   }
 
@@ -116,12 +116,13 @@ private:
     file_.read(reinterpret_cast<char*>(front.data()), static_cast<std::streamsize>(front.size()));
     if (!file_ || !std::equal(internal::LevelDirectory::magic.begin(),
                               internal::LevelDirectory::magic.end(), front.begin()))
-      throw std::runtime_error("it does not begin as one");
+      throw std::runtime_error("its first bytes are wrong");
     internal::ByteReader reader(
         std::span<const unsigned char>(front).subspan(internal::LevelDirectory::magic.size()));
     if (const auto version = reader.get<std::uint32_t>();
         version != internal::LevelDirectory::version)
-      throw std::runtime_error("its version is " + std::to_string(version) + ", this reads " +
+      throw std::runtime_error("its version is " + std::to_string(version) +
+                               ", and this library reads " +
                                std::to_string(internal::LevelDirectory::version));
     internal::FileBlock block{front.size(), reader.get<std::uint64_t>(), 0, 0, 0};
     block.raw = block.stored;
@@ -200,7 +201,7 @@ private:
         segment.faces_at(contractions) != end.faces || vertices.items() != begin.vertices ||
         vertices.items_at(contractions) != end.vertices ||
         (contractions > 0 && segment.bounds.empty() == directory_.knows_bounds))
-      throw std::runtime_error("a segment is not what the directory says");
+      throw std::runtime_error("a segment does not match the directory");
     return segment;
   }
 
@@ -217,7 +218,7 @@ private:
       }
       if (levels.input_faces_.size() != directory_.stages[s].faces ||
           levels.input_vertices_.size() != directory_.stages[s].vertices)
-        throw std::runtime_error("input indices are not what the directory says");
+        throw std::runtime_error("the input indices do not match the directory");
     }
     for (internal::Index v : levels.input_vertices_)
       if (v >= directory_.input_vertices)

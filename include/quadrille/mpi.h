@@ -109,8 +109,8 @@ public:
     const std::unique_ptr<const void, decltype(remove)> at_end(this, remove);
     run([&] {
       if (!std::filesystem::exists(folder))
-        fail_file(folder, "is not there for rank " + std::to_string(rank_) +
-                              ": all ranks have to see the same scratch folder");
+        fail_file(folder, "does not exist for rank " + std::to_string(rank_) +
+                              ": all ranks must see the same scratch folder");
     });
     run([&] { run_claimed(folder, n, task); });
   }

@@ -86,7 +86,7 @@ inline std::ostream& operator<<(std::ostream& out, const PlanarReport& report) {
   return out << report.faces_before << " -> " << report.faces_after << " faces, "
              << report.vertices_before << " -> " << report.vertices_after << " vertices, "
              << report.patches << " planar patches, " << report.patches_with_border
-             << " with their whole borders, " << report.patches_unchanged << " unchanged";
+             << " with their entire boundaries, " << report.patches_unchanged << " unchanged";
 }
 
 namespace internal {
@@ -125,8 +125,8 @@ constexpr void check_planar_names() {
                    np::vertex_is_constrained_t, np::vertex_color_map_t, np::vertex_texture_map_t,
                    np::vertex_normal_map_t, parameters::vertex_attribute_t>>;
   static_assert(std::same_as<typename OthersThan<NamedParameters, All>::type, Names<>>,
-                "remesh_planar_patches does not read one of its named parameters: those that it "
-                "knows are listed in <quadrille/planar_patches.h>.");
+                "A named parameter of remesh_planar_patches has no effect: "
+                "<quadrille/planar_patches.h> lists the ones that it uses.");
 }
 
 /// Remeshes the surface of an adapter that has been read. A surface may move by as much as two
@@ -272,7 +272,7 @@ requires(internal::PointContainer<Points>&& internal::TriangleContainer<Triangle
                            std::remove_reference_t<Triangles>> PlanarReport
     remesh_planar_patches(Points&& points, Triangles&& triangles, const Arguments&... arguments) {
   static_assert(internal::is_changeable<Points> && internal::is_changeable<Triangles>,
-                "remesh_planar_patches changes the soup: it takes no temporary nor constant one.");
+                "remesh_planar_patches changes the soup: pass a variable that is not const.");
   return internal::in_name_of("remesh_planar_patches", [&] {
     auto&& rows_of_points = internal::as_rows(points, "point", triangles);
     auto&& rows_of_triangles = internal::as_rows(triangles, "triangle", points);

@@ -238,7 +238,8 @@ private:
 template <std::size_t N, class Scalar = double>
 class Factorization {
 public:
-  static_assert(std::same_as<Scalar, double>, "Two matrices at once are factorised in space only.");
+  static_assert(std::same_as<Scalar, double>,
+                "Only matrices of three dimensions are factorised two at a time.");
 
   /// Factorises A, O(N³). `least_relative` is the part of the trace that a pivot has to be above.
   explicit constexpr Factorization(const SymmetricMatrix<N>& a,

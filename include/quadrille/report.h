@@ -261,19 +261,19 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   if (report.normal_bound_degrees)
     out << ", normals within " << *report.normal_bound_degrees << " degrees";
   if (report.non_edge_contractions > 0)
-    out << ", " << report.non_edge_contractions << " contractions of no edge";
+    out << ", " << report.non_edge_contractions << " contractions without an edge";
   if (report.components_before != report.components_after)
     out << ", " << report.components_before << " -> " << report.components_after << " components";
   if (report.vanished_parts > 0)
-    out << ", " << report.vanished_parts << " parts vanished, of sizes up to "
+    out << ", " << report.vanished_parts << " components vanished, of sizes up to "
         << report.largest_vanished_part;
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";
   if (report.doubled_faces > 0)
-    out << ", " << report.doubled_faces << " doubled faces left out";
+    out << ", " << report.doubled_faces << " duplicate faces left out";
   if (report.doubled_labels > 0)
-    out << ", " << report.doubled_labels << " doubled faces of other labels";
+    out << ", " << report.doubled_labels << " duplicate faces with other labels";
   const char* separator = ", rejected: ";
   for (std::size_t cause = 0; cause < rejection_causes; ++cause) {
     if (report.rejections[cause] == 0)

@@ -129,7 +129,7 @@ public:
   explicit TimeBudget(double seconds) : begin_(Clock::now()), seconds_(seconds) {
     if (!(seconds >= 0))
       throw std::invalid_argument("quadrille::TimeBudget: " + internal::text_of(seconds) +
-                                  " seconds are no time");
+                                  " seconds are negative or not a number");
   }
 
   /// Returns true once the time is over.
@@ -163,8 +163,7 @@ public:
   void validate() const {
     if constexpr ((IsOptional<Stops> && ...))
       if (std::apply([](const auto&... stop) { return (!stop && ...); }, stops_))
-        throw std::invalid_argument("quadrille: none of the stop policies of an AnyOf or AllOf is "
-                                    "there");
+        throw std::invalid_argument("quadrille: all stop policies of an AnyOf or AllOf are empty");
     std::apply([](const auto&... stop) { (internal::validate(stop), ...); }, stops_);
   }
 
@@ -264,7 +263,7 @@ public:
   void validate() const {
     if (!(cost_ >= 0))
       throw std::invalid_argument("quadrille::CostLimit: the limit " + internal::text_of(cost_) +
-                                  " is not a cost");
+                                  " is negative or not a number");
   }
 
 private:

@@ -123,14 +123,14 @@ inline void require_textured(const TexturedSoup& soup, const char* which) {
     throw std::invalid_argument(std::string("quadrille::texture_deviation: ") + which + what);
   };
   if (soup.texture.triangles.size() != soup.shape.triangles.size())
-    refuse(" has not three coordinates for each triangle");
+    refuse(" does not have three coordinates for each triangle");
   if (!soup.labels.empty() && soup.labels.size() != soup.shape.triangles.size())
-    refuse(" has not a label for each triangle");
+    refuse(" does not have a label for each triangle");
   for (std::size_t t = 0; t < soup.shape.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
       if (soup.shape.triangles[t][i] >= soup.shape.points.size() ||
           soup.texture.triangles[t][i] >= soup.texture.points.size())
-        refuse(" names a point or a coordinate that is not there, in triangle " +
+        refuse(" refers to a point or a coordinate that does not exist, in triangle " +
                std::to_string(t));
 }
 

@@ -98,7 +98,7 @@ private:
     throw std::length_error(
         "quadrille::ThresholdPairs: about " + std::to_string(std::llround(pairs)) +
         " pairs of vertices are closer than " + internal::text_of(t) + ", more than the limit of " +
-        std::to_string(most_pairs_a_vertex) + " a vertex");
+        std::to_string(most_pairs_a_vertex) + " per vertex");
   }
 
   double t_;

@@ -90,7 +90,7 @@ inline std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
     separator = "; ";
   }
   if (verdict.is_cancelled)
-    out << separator << "cancelled before all was measured";
+    out << separator << "cancelled before everything was measured";
   return out;
 }
 

@@ -61,7 +61,8 @@ private:
   static void require_sense(const Claims& claims) {
     DistanceFindings::require_sense(claims);
     if (!(claims.normal_deviation.value_or(0) >= 0))
-      throw std::invalid_argument("quadrille::verify: the claim is not an angle");
+      throw std::invalid_argument(
+          "quadrille::verify: the claimed angle is negative or not a number");
   }
 
   // A surface without faces allows only one conclusion: whether the other one has no faces either.
@@ -69,7 +70,7 @@ private:
     const bool is_any_claimed = stages(claims) > 0 || claims.normal_deviation;
     if (!is_any_claimed || (!input_.triangles.empty() && !result_.triangles.empty()))
       return true;
-    add_number("faces, where only one of both surfaces has any", input_.triangles.size(),
+    add_number("faces, which only one of the surfaces has", input_.triangles.size(),
                result_.triangles.size());
     return false;
   }
@@ -98,7 +99,7 @@ private:
     add({"degrees between normals", promised, greatest.at_least,
          greatest.at_most - greatest.at_least + rounding, greatest.at_least <= promised + rounding},
         greatest.face);
-    add({"faces of the result that none of the input has become", 0,
+    add({"faces of the result without a face in the input", 0,
          static_cast<double>(greatest.unknown), 0, greatest.unknown == 0},
         greatest.first_unknown);
   }

@@ -188,7 +188,7 @@ TEST_CASE("The rows of a matrix are a channel") {
   simplify(v, f, FaceRatio{0.3}, Colors{matrix_rows<3>(c)});
   CHECK((v == SmallMatrix<double>(points)));
   CHECK((c == SmallMatrix<double>(colors)));
-  CHECK_THROWS_WITH(matrix_rows<4>(c), "quadrille::matrix_rows: 3 columns are fewer than 4");
+  CHECK_THROWS_WITH(matrix_rows<4>(c), "quadrille::matrix_rows: 3 columns are less than 4");
   CHECK_THROWS_WITH(get(matrix_rows<2>(c), input().points.size()), Contains("matrix_rows: row"));
 }
 

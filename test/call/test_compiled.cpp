@@ -197,7 +197,7 @@ TEST_CASE("Lines, noise and importance are options of the compiled library") {
   options = options_to(60, SoupOptions::Cost::edge_length);
   options.line_weight = 1;
   CHECK_THROWS_WITH(simplify_soup(arrays.points, arrays.triangles, options),
-                    Catch::Contains("are for the cost quadric"));
+                    Catch::Contains("need the cost quadric"));
 }
 
 TEST_CASE("A filter and a stop of the compiled library are asked as those of the templates") {

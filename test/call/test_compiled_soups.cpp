@@ -374,7 +374,8 @@ TEST_CASE("What is wrong with a soup is told by its name") {
     refused(view, options, what);
   };
   channel_is_refused(
-      0, [](auto& c) { c.components = 3; }, "channel 0 has 3 components, which its kind has not");
+      0, [](auto& c) { c.components = 3; },
+      "channel 0 has 3 components, which its kind does not allow");
   channel_is_refused(
       3, [](auto& c) { c.components = 0; }, "channel 3 has 0 components");
   channel_is_refused(
@@ -390,11 +391,11 @@ TEST_CASE("What is wrong with a soup is told by its name") {
   channel_is_refused(
       0, [](auto& c) { c.options.new_values = NewValues::existing; }, "would tear");
   channel_is_refused(
-      0, [](auto& c) { c.options.new_values = NewValues::recomputed; }, "none of normals");
+      0, [](auto& c) { c.options.new_values = NewValues::recomputed; }, "does not contain normals");
   channel_is_refused(
-      0, [](auto& c) { c.options.new_values = NewValues::weights; }, "none of attributes");
+      0, [](auto& c) { c.options.new_values = NewValues::weights; }, "does not contain attributes");
   channel_is_refused(
-      0, [](auto& c) { c.options.linear_light = true; }, "none of colours");
+      0, [](auto& c) { c.options.linear_light = true; }, "does not contain colours");
   channel_is_refused(
       0, [](auto& c) { c.options.importance = 0; }, "importance");
   Carrying infinite = torn;
@@ -409,5 +410,5 @@ TEST_CASE("What is wrong with a soup is told by its name") {
   refused(view_of(torn), wrong, "relaxed order");
   wrong = options_of(SoupOptions::Cost::memoryless_quadric);
   wrong.crease_degrees = 20;
-  refused(view_of(torn), wrong, "crease_degrees are for the cost quadric");
+  refused(view_of(torn), wrong, "crease_degrees needs the cost quadric");
 }

@@ -450,7 +450,7 @@ TEST_CASE("Channels of a piece go along, and stay at shared vertices") {
   }
   channels.channels[1].values.pop_back();
   CHECK_THROWS_WITH(simplify_piece(piece, Quadric{}, OptimalPlacement{}, FaceCount{200}, channels),
-                    Catch::Contains("a channel of a piece has"));
+                    Catch::Contains("a channel of a tile has"));
 }
 
 TEST_CASE("A piece that makes no sense is refused") {
@@ -480,7 +480,7 @@ TEST_CASE("A piece that makes no sense is refused") {
   refuses(bad, "1 tolerances, not 4");
   bad = good;
   bad.borders = {{0, 4}};
-  refuses(bad, "a border of a piece names point 4 of 4");
+  refuses(bad, "a border of a tile refers to point 4 of 4");
   bad = good;
   bad.triangles[1][2] = 9;
   refuses(bad, "names point 9");
@@ -492,5 +492,5 @@ TEST_CASE("A piece that makes no sense is refused") {
   refuses(bad, "is not a box");
   bad = good;
   bad.box = Box<3>(Position{}, Position{{0.1, 0.1, 0.1}});
-  refuses(bad, "is not inside of bounding_box");
+  refuses(bad, "is not inside bounding_box");
 }

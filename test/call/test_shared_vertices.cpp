@@ -245,12 +245,12 @@ TEST_CASE(
     CHECK(is_identical(copy, soup));
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  refuses(parameters::bounding_box({0, 0, 0, 1, 0.1, 0.1}), "is not inside of bounding_box");
+  refuses(parameters::bounding_box({0, 0, 0, 1, 0.1, 0.1}), "is not inside bounding_box");
   refuses(parameters::bounding_box({0, 0, 0, 1, -1, 1}), "is not a box");
   refuses(parameters::bounding_box({0, 0, 0, infinity, 1, 1}), "is not a box");
   refuses(parameters::bounding_box(CGAL::Bbox_3()), "is not a box"); // it is empty
   using Edges = std::vector<std::array<int, 2>>;
   refuses(parameters::border_edges(Edges{{0, 1}, {0, 9999}}),
-          "edge 1 of border_edges names point 9999 of 861");
+          "edge 1 of border_edges refers to point 9999 of 861");
   refuses(parameters::border_edges(Edges{{-1, 1}}), "names point -1");
 }

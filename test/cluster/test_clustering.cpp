@@ -557,7 +557,7 @@ TEST_CASE("Bad input is refused, and the soup is as it was") {
   soup.points[9][1] = -std::numeric_limits<double>::infinity();
   check_refusal(soup, grid, "point 9 is not finite");
 
-  check_refusal(sphere, Grid{3, 0, 2}, "a grid of 3 x 0 x 2 cells has none");
+  check_refusal(sphere, Grid{3, 0, 2}, "a grid of 3 x 0 x 2 cells is empty");
   check_refusal(sphere, Grid{std::size_t{1} << 53, 1, 1},
                 "9007199254740992 x 1 x 1 cells are too many");
   check_refusal(sphere, Grid{std::size_t{1} << 32, std::size_t{1} << 30, 4},
@@ -576,7 +576,7 @@ TEST_CASE("Bad input is refused, and the soup is as it was") {
   std::vector<std::vector<int>> triangles{{0, 1, 2}, {0, 1, 2, 3}};
   CHECK_THROWS_WITH(cluster_vertices(points, triangles, grid),
                     "quadrille::cluster_vertices: face 1 is not a triangle; "
-                    "CGAL::Polygon_mesh_processing::triangulate_polygons makes it so");
+                    "CGAL::Polygon_mesh_processing::triangulate_polygons triangulates it");
   triangles = {{0, 1, 2}, {0, -1, 2}};
   CHECK_THROWS_WITH(cluster_vertices(points, triangles, grid),
                     "quadrille::cluster_vertices: face 1 names point -1 of 4");

@@ -200,7 +200,7 @@ TEST_CASE("file tolerances: a run that has ended goes on with what faces have us
   other.restart = true;
   other.tolerance = "";
   CHECK_THROWS_WITH(run(folder, other, HausdorffLimit(coarse)),
-                    Catch::Contains("of another file, or of another"));
+                    Catch::Contains("of another file, or for another"));
 }
 
 TEST_CASE("file tolerances: whatever else is left out, they are read") {

@@ -532,9 +532,10 @@ TEST_CASE("Files that are no tiles of one surface are refused by their names") {
   const auto doubles = folder.file("doubles.ply", ply_of<double>(tiles[2]));
   const auto soup = folder.file("soup.stl", test::stl_of(tiles[3]));
   CHECK_THAT(refusal({a, doubles}), Catch::Contains("doubles.ply: has other properties"));
-  CHECK_THAT(refusal({a, b, soup}), Catch::Contains("soup.stl: is no tile of a surface with"));
+  CHECK_THAT(refusal({a, b, soup}),
+             Catch::Contains("soup.stl: cannot be a tile of the same surface as"));
   CHECK_THAT(refusal({a, folder.path("none.ply")}), Catch::Contains("none.ply: cannot be opened"));
-  CHECK_THAT(refusal({}), Catch::Contains("0 files are no surface"));
+  CHECK_THAT(refusal({}), Catch::Contains("0 files were given"));
   std::filesystem::create_directory(folder.path("other"));
   CHECK_THAT(refusal({a, folder.file("other/a.ply", ply_of(tiles[1]))}, true),
              Catch::Contains("two tiles would be a.ply"));
@@ -546,7 +547,7 @@ TEST_CASE("Files that are no tiles of one surface are refused by their names") {
   tiles[1].points[static_cast<std::size_t>(inner)][2] = std::numeric_limits<double>::infinity();
   folder.file("b.ply", ply_of(tiles[1]));
   CHECK_THAT(refusal({a, b}),
-             Catch::Contains("b.ply: vertex " + std::to_string(inner) + " has a number that is"));
+             Catch::Contains("b.ply: vertex " + std::to_string(inner) + " has a value that is"));
 }
 
 TEST_CASE("Labels of faces go along, and their regions stay") {
@@ -719,7 +720,7 @@ TEST_CASE("How much they count is told, and they may be left out") {
   run(folder, ended_early(options));
   options.restart = true;
   options.attribute_importance = 1;
-  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("of another file, or of another"));
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("of another file, or for another"));
   options.attribute_importance = 0.01;
   run(folder, options);
   CHECK(Coloured(content_of(folder.path("out.ply"))).color_error() > 1.2 * usual);
@@ -860,10 +861,10 @@ TEST_CASE("A run ends when the user says so, and goes on") {
   CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));
   CHECK_THROWS_WITH(run(folder, options), Catch::Contains("has a job in it"));
   options.restart = true;
-  CHECK_THROWS_WITH(run(folder, options, 900), Catch::Contains("of another file, or of another"));
+  CHECK_THROWS_WITH(run(folder, options, 900), Catch::Contains("of another file, or for another"));
   OutOfCore others = options;
   others.part_faces = 600;
-  CHECK_THROWS_WITH(run(folder, others), Catch::Contains("of another file, or of another"));
+  CHECK_THROWS_WITH(run(folder, others), Catch::Contains("of another file, or for another"));
   options.parts_in_flight = 1;
   run(folder, options);
   CHECK(content_of(folder.path("out.ply")) == once);
@@ -918,7 +919,7 @@ TEST_CASE("Samples are taken one by one, in any order, by any process") {
       CHECK(job.samples() == job.parts());
       for (std::size_t i = job.samples(); i-- > 1;)
         job.sample(i);
-      CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("is not settled"));
+      CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("is not resolved"));
       Job other = made();
       other.join();
       CHECK_FALSE(other.sample(0, [] { return true; }));
@@ -1052,10 +1053,11 @@ TEST_CASE("Bad files end in a sentence that names the place") {
                   "ends before vertex 1 of 6");
   require_refusal("in.ply", replaced(ply, "float x", "floot x"), ":4: unknown type 'floot'");
   require_refusal("in.ply", replaced(ply, "float x", "float w"), "have no x, y and z");
-  require_refusal("in.ply", replaced(ply, "float x", "int x"), "not all floats, nor all doubles");
+  require_refusal("in.ply", replaced(ply, "float x", "int x"),
+                  "neither all floats nor all doubles");
   require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 6x"), ":3: element count '6x' is not an integer");
   require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 5000000000"),
-                  "more than corners of faces can name");
+                  "more than the indices of faces can express");
   require_refusal("in.ply", ply.substr(0, ply.size() - 60), "ends at byte");
   require_refusal("in.ply", ply.substr(0, ply.size() - 1), "within face 7 of 8");
   std::string changed = ply;
@@ -1078,14 +1080,14 @@ TEST_CASE("Bad files end in a sentence that names the place") {
   for (std::uint32_t v = 0; v < loose.points.size(); v += 3)
     loose.triangles.push_back({v + 1, v + 2, v});
   require_refusal("in.ply", ply_of(loose),
-                  "no two of its faces share a vertex, so that nothing "
-                  "could be simplified: 'weld' makes vertices one");
+                  "no two of its faces share a vertex, so there is nothing to simplify: "
+                  "'weld' merges vertices");
   const std::string stl = test::stl_of(soup);
   require_refusal("in.stl", test::stl_of({soup.points, {}}), "nothing to simplify");
   require_refusal("in.stl", stl.substr(0, 50), "ends within the 84 bytes");
   require_refusal("in.stl", stl.substr(0, stl.size() - 1),
                   "483 bytes; with 8 faces it would have 484");
-  require_refusal("in.stl", "solid x\nendsolid\n", "is text");
+  require_refusal("in.stl", "solid x\nendsolid\n", "is a text file");
 }
 
 TEST_CASE("Faces may stand before vertices") {
@@ -1244,7 +1246,7 @@ TEST_CASE("Vertices at exactly the same place become one if that is asked for") 
     CHECK_THROWS_WITH(run(folder, options),
                       Catch::Contains("in.ply: vertices ") &&
                           Catch::Contains(" lie at the same place and differ in nx, ny, nz, red, "
-                                          "green, blue, heat, id, so they can't become one"));
+                                          "green, blue, heat, id, so they cannot be merged"));
     CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
     options.positions_only = true;
     run(folder, options);
@@ -1262,11 +1264,11 @@ TEST_CASE("Text that is not what it says is refused by the line, and nothing is 
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 6\n"),
                   ":17: has vertex 6 of 6");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 x 3\n"),
-                  ":17: 'x' is no number");
+                  ":17: 'x' is not a number");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 2.5\n"),
-                  ":17: '2.5' is no number of the type int");
+                  ":17: '2.5' is not a number of the type int");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n300 0 2 3\n"),
-                  ":17: '300' is no number of the type uchar");
+                  ":17: '300' is not a number of the type uchar");
   require_refusal("in.ply", replaced(text, "face 3", "face 2"), ":18: goes on after the last");
   require_refusal("in.ply", replaced(text, "face 3", "face 4"), "ends before face 3 of 4");
 }
@@ -1353,7 +1355,7 @@ TEST_CASE("What does not go along is refused before anything is written, or told
   require_refusal("in.ply", with("property list uchar int neighbours\n", std::string(1, '\0')),
                   "its vertices have lists");
   require_refusal("in.ply", replaced(ply, "end_header", "property float area\nend_header"),
-                  "has property area of faces, which can't go along");
+                  "has property area of faces, which cannot be kept");
   require_refusal("in.ply",
                   replaced(ply, "end_header", "property list uchar float texcoord\nend_header"),
                   "has property texcoord of faces, which");
@@ -1382,7 +1384,7 @@ TEST_CASE("Files of the scratch folder that have changed end in a sentence") {
   std::string content = content_of(faces);
   content[17] ^= 1;
   folder.file("scratch/quadrille-job/phase-1/faces-0", content);
-  CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("faces-0: is not what was written"));
+  CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("faces-0: was changed after it was written"));
   content[17] ^= 1;
   folder.file("scratch/quadrille-job/phase-1/faces-0", content.substr(0, content.size() - 12));
   CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("faces-0: has"));
@@ -1397,7 +1399,7 @@ TEST_CASE("Files of the scratch folder that have changed end in a sentence") {
   plan[40] ^= 1;
   folder.file("scratch/quadrille-job/phase-1/plan", plan);
   CHECK_THROWS_WITH(Job(folder.path("in.ply"), FaceCount{800}, options).join(),
-                    Catch::Contains("plan: is not what was written"));
+                    Catch::Contains("plan: was changed after it was written"));
 }
 
 TEST_CASE(

@@ -181,7 +181,7 @@ class Fuzz:
         for process, other in ((first, second), (second, first)):
             said = process.communicate()[1].decode()
             ends.append(process.returncode)
-            is_told = f"process {other.pid} of " in said and "works there" in said
+            is_told = f"process {other.pid} of " in said and "uses it for an unfinished job" in said
             if process.returncode != 0 and not (process.returncode == 2 and is_told and said.count("\n") == 1):
                 self.fail(f"status {process.returncode} of one of two jobs: {said}")
         if 0 not in ends:

@@ -126,7 +126,7 @@ TEST_CASE("files that cannot be read or written are refused in a sentence") {
   const std::filesystem::path path = folder.path("levels.qlv");
   CHECK_THROWS_WITH(LevelsFile(path), Contains(path.string()) && Contains("it cannot be opened"));
   write_bytes(path, {'O', 'F', 'F', '\n'});
-  CHECK_THROWS_WITH(LevelsFile(path), Contains("it does not begin as one"));
+  CHECK_THROWS_WITH(LevelsFile(path), Contains("its first bytes are wrong"));
   CHECK_THROWS_AS(write_levels(path, Levels()), std::logic_error);
   CHECK(bytes_of(path).size() == 4); // it is left as it was
   const Levels levels = levels_of(textured_torus(6, 5), FaceCount{30});
@@ -138,7 +138,7 @@ TEST_CASE("files that cannot be read or written are refused in a sentence") {
   std::vector<char> newer = bytes_of(path);
   newer[8] = 2;
   write_bytes(path, newer);
-  CHECK_THROWS_WITH(LevelsFile(path), Contains("its version is 2, this reads 1"));
+  CHECK_THROWS_WITH(LevelsFile(path), Contains("its version is 2, and this library reads 1"));
 }
 
 TEST_CASE("a file that is damaged anywhere is refused") {
@@ -181,7 +181,7 @@ TEST_CASE("a segment of which a contraction is none of two vertices is refused")
   const auto check_refused = [&](auto change) {
     internal::LevelSegment changed = segment;
     change(changed.tracks.front());
-    CHECK_THROWS_WITH(read(changed), "a contraction is none of two vertices");
+    CHECK_THROWS_WITH(read(changed), "a contraction does not have two vertices");
   };
   check_refused([](internal::LevelTrack& track) { track.changed = {1}; });
   check_refused([](internal::LevelTrack& track) { track.parents[1] = 2; });

@@ -637,7 +637,7 @@ TEST_CASE("soups with all that is bad") {
   std::ostringstream text;
   text << report;
   CHECK(text.str() ==
-        "0 -> 0 faces, 0 -> 0 vertices, 0 planar patches, 0 with their whole borders, "
+        "0 -> 0 faces, 0 -> 0 vertices, 0 planar patches, 0 with their entire boundaries, "
         "0 unchanged");
 }
 

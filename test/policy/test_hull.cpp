@@ -383,11 +383,11 @@ TEST_CASE("A surface that encloses nothing has no hull, and stays as it is") {
   };
   Soup open = test::sphere(2);
   open.triangles.erase(open.triangles.begin()); // three edges have a face less
-  CHECK(contains(message(open), " 3 edges have not as many faces"));
+  CHECK(contains(message(open), " 3 edges have different numbers of faces"));
   Soup turned = test::sphere(2);
   std::swap(turned.triangles[5][0], turned.triangles[5][1]);
-  CHECK(contains(message(turned), " 3 edges have not as many faces"));
-  CHECK(contains(message(test::grid(3, 3)), " 12 edges have not as many faces"));
+  CHECK(contains(message(turned), " 3 edges have different numbers of faces"));
+  CHECK(contains(message(test::grid(3, 3)), " 12 edges have different numbers of faces"));
   Soup inward = test::sphere(2);
   for (test::Triangle& t : inward.triangles)
     std::swap(t[0], t[1]);

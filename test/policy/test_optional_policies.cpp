@@ -180,7 +180,7 @@ TEST_CASE("AnyOf and AllOf pass over what is not there") {
   CHECK(simplified_by(AnyOf{std::optional<DistanceLimit>(), FaceCount{100}}).second.faces_after ==
         100);
   CHECK_THROWS_WITH(simplified_by(AnyOf{faces, std::optional<DistanceLimit>()}),
-                    "quadrille: none of the stop policies of an AnyOf or AllOf is there");
+                    "quadrille: all stop policies of an AnyOf or AllOf are empty");
   CHECK_THROWS_AS(simplified_by(AllOf{faces}), std::invalid_argument);
 }
 

@@ -109,7 +109,7 @@ class Results(Folder):
         for wrong in (tolerance[1:], -1 - tolerance):
             with self.assertRaisesRegex(ValueError, "tolerance"):
                 quadrille.simplify(points, faces, tolerance=wrong)
-        with self.assertRaisesRegex(ValueError, "the lower of both"):
+        with self.assertRaisesRegex(ValueError, "the smaller of both"):
             quadrille.simplify(points, faces, tolerance=tolerance, error=1.0)
         with self.assertWarns(UserWarning):
             few = quadrille.simplify(points, faces, faces=0)
@@ -252,14 +252,14 @@ class Results(Folder):
         self.assertTrue(told == sorted(told) and 0 <= told[0] and told[-1] <= 1)
         cancelled = quadrille.verify((points, faces), small, distance_both_ways=bound, progress=lambda part: False)
         self.assertTrue(cancelled.is_cancelled and not cancelled)
-        self.assertRegex(repr(cancelled), "cancelled before all was measured")
+        self.assertRegex(repr(cancelled), "cancelled before everything was measured")
         self.assertTrue(quadrille.verify((points, faces), (small.points, small.faces), normal_deviation=degrees,
                                          image=small.image))
         refused = lambda message, **options: self.assertRaisesRegex(
             ValueError, message, quadrille.verify, (points, faces), (small.points, small.faces), **options)
         refused("^normal_deviation needs image", normal_deviation=60)
         refused("^image has numbers from 0 to 9999", normal_deviation=60, image=np.append(small.image[1:].clip(0), 9999))
-        refused("not a distance", distance=-1.0)
+        refused("negative or not a number", distance=-1.0)
         refused(r"^tolerance has the shape \(2,\)", tolerance=[1, 2])
 
     def test_maps_of_importance(self):
@@ -499,9 +499,9 @@ class Errors(unittest.TestCase):
         self.refused("^no_self_intersection=True needs order='greedy'", no_self_intersection=True, order="relaxed")
         self.refused("0 degrees are not in", normal_deviation=0)
         self.refused("keep_solid keeps the topology", keep_solid=True, topology="free")
-        self.refused("^more than one thread is for order='relaxed'", threads=2)
+        self.refused("^more than one thread needs order='relaxed'", threads=2)
         self.refused("0 threads are not from 1 to 1024", threads=0, order="relaxed")
-        self.refused("^crease_degrees are for cost='quadric'", cost="edge_length", crease_degrees=20)
+        self.refused("^crease_degrees needs cost='quadric'", cost="edge_length", crease_degrees=20)
         self.refused("^weighting is 'by_hand', not one of by_area", weighting="by_hand")
         self.refused("line_weight -1 is negative", line_weight=-1)
         self.refused("are for cost='quadric'", line_weight=1, cost="memoryless_quadric")
@@ -647,7 +647,7 @@ class Levels(Folder):
             levels.save(self.path("no/folder.qlv"))
         with open(self.path("broken.qlv"), "wb") as file:
             file.write(b"no levels")
-        with self.assertRaisesRegex(ValueError, "broken.qlv: no file of levels"):
+        with self.assertRaisesRegex(ValueError, "broken.qlv: not a file of levels"):
             quadrille.Levels.load(self.path("broken.qlv"))
 
     def test_errors(self):

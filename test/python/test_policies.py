@@ -228,7 +228,7 @@ class Shapes(unittest.TestCase):
 
     def test_errors(self):
         points, faces, _ = torus(12)
-        for options, message in ((dict(hull="both"), "hull is 'both', neither"),
+        for options, message in ((dict(hull="both"), "hull is 'both', not"),
                                  (dict(hull="outer", cost="quadric"), "hull needs cost='memoryless_quadric', not"),
                                  (dict(hull="outer", order="relaxed"), "hull needs order='greedy'"),
                                  (dict(keep_volume=True, placement="midpoint"), "keep_volume has its own placement"),

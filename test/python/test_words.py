@@ -262,12 +262,12 @@ class Reports(unittest.TestCase):
 
     def test_other_dicts_are_refused(self):
         members = next(self.reports()).to_dict()
-        for broken, message in (({}, "it has no faces_before"), ({**members, "stop": "whim"}, "unknown word 'whim'"),
+        for broken, message in (({}, "it has no faces_before"), ({**members, "stop": "whim"}, "unknown name 'whim'"),
                                 ({**members, "contractions": -1}, "its contractions is -1"),
                                 ({**members, "error": "much"}, "its error is 'much'"),
-                                ({**members, "rejections": {"whim": 1}}, "unknown word 'whim'"),
+                                ({**members, "rejections": {"whim": 1}}, "unknown name 'whim'"),
                                 ({**members, "seconds": {}}, "it has no read")):
-            with self.assertRaisesRegex(ValueError, f"^this is no report: .*{message}"):
+            with self.assertRaisesRegex(ValueError, f"^not a report: .*{message}"):
                 quadrille.Report.from_dict(broken)
 
 

@@ -127,14 +127,14 @@ inline std::vector<Damage> damages_of_faces(double distance) {
          soup.triangles.pop_back();
        }},
       {"a part on a line",
-       "parts turned inside out, or without a volume",
+       "components turned inside out, or without volume",
        {.solid = true},
        [](RandomSolid& s, Soup& soup) {
          s.parts[RandomSolid::ball].size[0] = s.parts[RandomSolid::ball].size[1] = 0;
          soup = s.soup(0);
        }},
       {"a part pressed flat",
-       "parts turned inside out, or without a volume",
+       "components turned inside out, or without volume",
        {.solid = true},
        [](RandomSolid& s, Soup& soup) {
          s.parts[RandomSolid::ball].size[2] = 0;
@@ -153,31 +153,32 @@ inline std::vector<Damage> damages_of_parts() {
                   }};
   };
   return {
-      damage("a part turned inside out", "parts turned inside out, or without a volume",
+      damage("a part turned inside out", "components turned inside out, or without volume",
              [](RandomSolid& s) { s.parts[RandomSolid::ball].is_inside_out = true; }),
-      damage("all turned inside out", "parts turned inside out, or without a volume",
+      damage("all turned inside out", "components turned inside out, or without volume",
              [](RandomSolid& s) {
                for (RandomSolid::Part& part : s.parts)
                  part.is_inside_out = !part.is_inside_out;
              }),
-      damage("a handle on another part", "parts with another number of handles",
+      damage("a handle on another part", "components with a different number of handles",
              [](RandomSolid& s) {
                std::swap(s.parts[RandomSolid::ring].is_ring, s.parts[RandomSolid::ball].is_ring);
              }),
-      damage("parts that have changed places", "parts with another number of handles",
+      damage("parts that have changed places", "components with a different number of handles",
              [](RandomSolid& s) {
                std::swap(s.parts[RandomSolid::ring].place, s.parts[RandomSolid::ball].place);
                std::swap(s.parts[RandomSolid::ring].size, s.parts[RandomSolid::ball].size);
              }),
-      damage("a cavity in another part", "parts that lie in others than before",
+      damage("a cavity in another part", "components inside other components than before",
              [](RandomSolid& s) {
                s.put(RandomSolid::cavity, s.parts[RandomSolid::ball].place,
                      0.4 * s.parts[RandomSolid::ball].size[0]);
              }),
-      damage("a cavity outside", "parts that lie in others than before",
+      damage("a cavity outside", "components inside other components than before",
              [](RandomSolid& s) { s.parts[RandomSolid::cavity].place[1] += 4; }),
-      damage("a part lost", "parts", [](RandomSolid& s) { s.parts.erase(s.parts.begin() + 2); }),
-      damage("a part added", "parts",
+      damage("a part lost", "components",
+             [](RandomSolid& s) { s.parts.erase(s.parts.begin() + 2); }),
+      damage("a part added", "components",
              [](RandomSolid& s) {
                s.parts.push_back({.place = {{-5, 0, 0}}});
              }),

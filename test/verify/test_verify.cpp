@@ -315,13 +315,13 @@ TEST_CASE("verify: what is no solid is found") {
   CHECK(finding(verify_soups(sphere, open, solid), "open edges").measured == 3);
 
   const Verdict not_turned = verify_soups(shell, test::joined(sphere, scaled(sphere, 0.5)), solid);
-  CHECK_FALSE(finding(not_turned, "parts turned inside out, or without a volume").is_held);
+  CHECK_FALSE(finding(not_turned, "components turned inside out, or without volume").is_held);
   const Verdict beside =
       verify_soups(shell, test::joined(sphere, scaled(shell, 0.5), {{3, 0, 0}}), solid);
-  CHECK_FALSE(finding(beside, "parts").is_held);
-  CHECK_FALSE(finding(verify_soups(shell, sphere, solid), "parts").is_held);
+  CHECK_FALSE(finding(beside, "components").is_held);
+  CHECK_FALSE(finding(verify_soups(shell, sphere, solid), "components").is_held);
   const Verdict ring = verify_soups(sphere, test::torus(12, 8), solid);
-  CHECK_FALSE(finding(ring, "parts with another number of handles").is_held);
+  CHECK_FALSE(finding(ring, "components with a different number of handles").is_held);
   CHECK_THROWS_AS(verify_soups(open, sphere, solid), std::invalid_argument);
 }
 
@@ -359,7 +359,7 @@ TEST_CASE("verify: what encloses nothing is no solid, and a surface that is gone
   for (const Soup& flat :
        {pressed(1, 1, 0), test::tilted(pressed(1, 1, 0)), pressed(1, 0, 0), pressed(0, 0, 0)}) {
     const Verdict verdict = verify_soups(sphere, flat, solid);
-    CHECK_FALSE(finding(verdict, "parts turned inside out, or without a volume").is_held);
+    CHECK_FALSE(finding(verdict, "components turned inside out, or without volume").is_held);
   }
   const Soup pillow{{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{0, 1, 2}, {1, 0, 2}}};
   CHECK_FALSE(verify_soups(sphere, pillow, solid));
@@ -434,10 +434,10 @@ TEST_CASE("verify: solids that touch along an edge or at a point are solids") {
   const Claims solid{.solid = true};
   const Soup edge = cubes_on_an_edge();
   CHECK(verify_soups(edge, edge, solid));
-  CHECK(finding(verify_soups(edge, edge, solid), "parts").measured == 2);
+  CHECK(finding(verify_soups(edge, edge, solid), "components").measured == 2);
   const Soup point =
       test::surface_of_cubes(2, 2, 2, [](int x, int y, int z) { return x == y && y == z; });
-  CHECK(finding(verify_soups(point, point, solid), "parts").measured == 2);
+  CHECK(finding(verify_soups(point, point, solid), "components").measured == 2);
   CHECK(verify_soups(point, point, solid));
   const Soup tunnel =
       test::turned_over(edge); // all but the two cubes, of which the tunnel is one component

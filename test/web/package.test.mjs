@@ -105,7 +105,7 @@ const refused = [
   ["a number for a boolean", [mesh, { bothWays: 1 }], /bothWays is 1, not a boolean/],
   ["a cost", [mesh, { cost: "quadrics" }], /cost is "quadrics", which is not one of quadric, memoryless_quadric/],
   ["a limit", [mesh, { relativeError: -1 }], /the limit -1 is not a distance/],
-  ["options that do not go together", [mesh, { cost: "edge_length", creaseDegrees: 30 }], /crease_degrees are for the cost quadric/],
+  ["options that do not go together", [mesh, { cost: "edge_length", creaseDegrees: 30 }], /crease_degrees needs the cost quadric/],
   ["a mask", [mesh, { fixed: new Uint8Array(3) }], /fixed has 3 numbers for 900 points/],
   ["a fixed point", [mesh, { fixed: Uint16Array.of(5, 900) }], /fixed\[1\] is 900, but there are 900/],
   ["importances", [mesh, { importance: new Float32Array(3) }], /importance has 3 numbers for 900 points/],

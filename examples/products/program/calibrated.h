@@ -54,8 +54,9 @@ struct Calibration {
   void validate() const {
     if (!(largest_factor >= 1 && std::isfinite(largest_factor) && refinements >= 0 && error > 0 &&
           error < 1))
-      throw std::invalid_argument("quadrille::Calibration: the largest factor is less than 1, the "
-                                  "refinements are negative, or the error is not in (0, 1)");
+      throw std::invalid_argument(
+          "quadrille::Calibration: the largest factor is less than 1, the number of "
+          "refinements is negative, or the error is not in (0, 1)");
   }
 };
 

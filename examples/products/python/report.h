@@ -128,7 +128,7 @@ Enum named(std::string_view name, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     if (to_string(static_cast<Enum>(i)) == name)
       return static_cast<Enum>(i);
-  throw py::value_error("not a report: it has the unknown key '" + std::string(name) + "'");
+  throw py::value_error("not a report: it has the unknown name '" + std::string(name) + "'");
 }
 
 /// What a dict has by a name. Throws if that is missing, or something else.

@@ -215,8 +215,9 @@ BuiltInPlacement placement_of(const SoupOptions& options) {
   switch (options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint)) {
   case Placement::optimal:
     if (!has_minimizer)
-      throw std::invalid_argument("quadrille::simplified_soup: this cost has no optimal placement: "
-                                  "choose end points or midpoints");
+      throw std::invalid_argument(
+          "quadrille::simplified_soup: this cost has no optimal placement: choose endpoints or "
+          "midpoints");
     return BuiltInPlacement(OptimalPlacement{});
   case Placement::endpoint:
     return BuiltInPlacement(EndpointPlacement{});

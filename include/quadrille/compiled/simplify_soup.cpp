@@ -39,8 +39,8 @@ void validate_call(const SoupView& soup, const SoupOptions& options) {
   require_count("fixed", options.fixed.size(), soup.points.size(), "points");
   require_count("tolerance", options.tolerance.size(), soup.points.size(), "points");
   if (!options.tolerance.empty() && (options.error || options.relative_error))
-    refuse(
-        "there are both an error and a tolerance of points: give the lower of both as tolerance");
+    refuse("there are both an error and a tolerance of points: pass the smaller of both as "
+           "tolerance");
   require_count("shared", options.shared.size(), soup.points.size(), "points");
   require_count("importance", options.importance.size(), soup.points.size(), "points");
   require_count("selected", options.selected.size(), soup.triangles.size(), "triangles");
@@ -49,13 +49,13 @@ void validate_call(const SoupView& soup, const SoupOptions& options) {
     internal::SoupChannelMap(soup.channels[i])
         .validate("channel " + std::to_string(i), soup.points.size(), soup.triangles.size());
   if (options.crease_degrees < 180 && options.cost != SoupOptions::Cost::quadric)
-    refuse("crease_degrees are for the cost quadric, which alone knows creases");
+    refuse("crease_degrees needs the cost quadric, the only one with creases");
   if ((options.weighting != Weighting::by_area || options.line_weight != 0 ||
        options.normal_noise != 0 || options.position_noise != 0) &&
       options.cost != SoupOptions::Cost::quadric)
-    refuse("weighting, line_weight, normal_noise and position_noise are for the cost quadric");
+    refuse("weighting, line_weight, normal_noise and position_noise need the cost quadric");
   if (options.threads > 1 && options.order != SoupOptions::Order::relaxed)
-    refuse("more than one thread is for the relaxed order");
+    refuse("more than one thread needs the relaxed order");
 }
 
 Report simplify_by_cost_of_options(SoupRun& run) {

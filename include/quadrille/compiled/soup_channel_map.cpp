@@ -47,9 +47,10 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
                               : kind == Kind::normals ? size == 3
                               : kind == Kind::colors  ? size == 3 || size == 4
                                                       : size > 0;
-  require(has_right_size, "has " + number_of(size, "components") + ", which its kind has not");
+  require(has_right_size,
+          "has " + number_of(size, "components") + ", which its kind does not allow");
   require(values.size() % size == 0, "has " + number_of(values.size(), "numbers") +
-                                         ", which are no values of " +
+                                         ", which is not a multiple of " +
                                          number_of(size, "components"));
   if (is_indexed())
     require(triples.size() == triangles, "has index triples for " +
@@ -62,13 +63,13 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
           "has " + number_of(size, "components") + " and " +
               number_of(options.weights.size(), "weights"));
   require(options.new_values != NewValues::existing || kind != Kind::texture,
-          "is a texture, which NewValues::existing would tear");
+          "is a texture, which NewValues::existing would tear apart");
   require(options.new_values != NewValues::recomputed || kind == Kind::normals,
-          "is none of normals, and only these can be NewValues::recomputed");
+          "does not contain normals, which NewValues::recomputed needs");
   require(options.new_values != NewValues::weights || kind == Kind::attributes,
-          "is none of attributes, and only these can be NewValues::weights");
+          "does not contain attributes, which NewValues::weights needs");
   require(!options.linear_light || kind == Kind::colors,
-          "is none of colours, and only these are in linear_light");
+          "does not contain colours, which linear_light needs");
 }
 
 ChannelInput SoupChannelMap::input(Workspace& workspace) const {

@@ -76,10 +76,9 @@ public:
   using Value = typename boost::property_traits<Map>::value_type;
   static constexpr Attribute attribute = ChannelKind<Channel>::attribute;
   static constexpr std::size_t size = ChannelKind<Channel>::template components<Value>;
-  static_assert(
-      size < (std::numeric_limits<std::size_t>::max)(),
-      "quadrille: the type of these values does not determine how many components they have: "
-      "use std::array<double, n>, say.");
+  static_assert(size < (std::numeric_limits<std::size_t>::max)(),
+                "quadrille: the type of these values does not determine how many components they "
+                "have: use std::array<double, n>, for example.");
   using Values = AttributeMap<Map, size, attribute>;
 
   explicit ChannelMap(const Channel& channel)

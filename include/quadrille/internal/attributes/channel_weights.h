@@ -239,8 +239,9 @@ ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& num
     weights.squared.push_back(weight * weight);
     if (!(weight * weight > 0x1p-400 && weight * weight < 0x1p400) || !(weight * range < 0x1p40))
       throw std::invalid_argument(
-          "quadrille::simplify: component " + std::to_string(c) + " of a channel, of a range of " +
-          text_of(range) + ", weighs " + text_of(scale.length_of_mesh(weight)) +
+          "quadrille::simplify: component " + std::to_string(c) +
+          " of a channel, with values of a range of " + text_of(range) + ", weighs " +
+          text_of(scale.length_of_mesh(weight)) +
           ": too large or too small to be compared with lengths of the surface");
   }
   return weights;

@@ -76,9 +76,10 @@ public:
   /// Rewrites points, triangles and channels; the soup stays as it was if anything throws.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
-    static_assert(!Tell::asks_for_images,
-                  "quadrille::simplify: vertex_to_vertex_map and SplitVertices "
-                  "do not go together: a point may become several.");
+    static_assert(
+        !Tell::asks_for_images,
+        "quadrille::simplify: vertex_to_vertex_map does not go with SplitVertices: a point "
+        "may become several.");
     const Array<Index> inputs = result.input_faces();
     const Array<Index> faces = in_order(inputs, result.input_face_count());
     const SplitPoints split(result, faces, inputs, triangles_, channels_.of_points());
@@ -119,9 +120,9 @@ public:
 private:
   void require_room(const SplitPoints& split) const {
     if (split.size() > vertex_of_.size())
-      throw std::length_error("quadrille::simplify: split vertices would become more, " +
-                              std::to_string(split.size()) + " of " +
-                              std::to_string(vertex_of_.size()));
+      throw std::length_error(
+          "quadrille::simplify: there would be more split vertices than before, " +
+          std::to_string(split.size()) + " of " + std::to_string(vertex_of_.size()));
   }
 
   // Points at one place are one vertex, which has the number of the first among the vertices.

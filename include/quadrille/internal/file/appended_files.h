@@ -78,14 +78,14 @@ template <class Row>
 std::vector<Row> read_rows(const std::filesystem::path& path, const FileContent& content) {
   const InputFile file(path);
   if (file.size() != content.size || content.size % sizeof(Row) != 0)
-    fail_file(path, "has " + std::to_string(file.size()) + " bytes and not the " +
+    fail_file(path, "has " + std::to_string(file.size()) + " bytes instead of the " +
                         std::to_string(content.size) + " that were written");
   std::vector<Row> rows(static_cast<std::size_t>(content.size / sizeof(Row)));
   file.read(0, rows.data(), rows.size() * sizeof(Row));
   Checksum checksum;
   checksum.add(rows.data(), rows.size() * sizeof(Row));
   if (checksum.value() != content.checksum)
-    fail_file(path, "is not what was written: its checksum is another one");
+    fail_file(path, "was changed after it was written: its checksum differs");
   return rows;
 }
 

@@ -71,7 +71,8 @@ public:
   /// Reads `size` bytes from `offset` on, or throws.
   void read(std::uint64_t offset, void* to, std::size_t size) const {
     if (read_some(offset, to, size) != size)
-      fail_file(path_, "ends at byte " + std::to_string(size_) + ", within what is to be read");
+      fail_file(path_, "ends at byte " + std::to_string(size_) +
+                           ", before the end of the data to be read");
   }
   /// Reads as many bytes as there are.
   std::size_t read_some(std::uint64_t offset, void* to, std::size_t size) const {

@@ -20,9 +20,9 @@ public:
   FileTarget(const Stop& stop, bool is_limited) : is_limited_(is_limited) {
     static_assert(
         std::is_same_v<Stop, FaceCount> || std::is_same_v<Stop, FaceRatio>,
-        "quadrille: a file is simplified to a FaceCount or a FaceRatio, an DistanceLimit, "
-        "a HausdorffLimit or a ToleranceLimit, or AnyOf one of both: other stop policies "
-        "are for surfaces in memory");
+        "quadrille: the target for a file is a FaceCount or FaceRatio, a DistanceLimit, "
+        "HausdorffLimit or ToleranceLimit, or AnyOf one of each: other stop policies work "
+        "only for surfaces in memory");
     validate(stop);
     if constexpr (std::is_same_v<Stop, FaceCount>)
       faces_ = stop.faces;

@@ -70,7 +70,7 @@ private:
     for (const std::uint64_t size : cut.sizes())
       if (size > 2 * part_vertices)
         fail_file(input_.file().path(),
-                  "has " + std::to_string(size) + " vertices at one place, and a part may have " +
+                  "has " + std::to_string(size) + " vertices at one place, and a chunk may have " +
                       std::to_string(part_vertices) + ": more memory is needed");
   }
 

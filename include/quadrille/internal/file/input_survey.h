@@ -71,10 +71,10 @@ private:
         take_labels(values);
     });
     if (facts_.counted_faces == 0)
-      fail("nothing to simplify: no face of three different vertices");
+      fail("nothing to simplify: it has no face with three different vertices");
     if (is_loose_ && facts_.faces > 1 && !input_.is_welded())
-      fail("no two of its faces share a vertex, so that nothing could be simplified: 'weld' makes "
-           "vertices one that lie at exactly the same place");
+      fail("no two of its faces share a vertex, so there is nothing to simplify: 'weld' merges "
+           "vertices at exactly the same place");
   }
 
   void take_labels(const LabelValues& values) {
@@ -97,10 +97,12 @@ private:
     const std::string leave_out = "; 'positions only' leaves them out";
     if (colors_.size() > std::min<std::uint64_t>(most_colors, facts_.faces / 2))
       fail("its faces have more than " + std::to_string(colors_.size() - 1) +
-           " colours, which are a picture and no labels, and can't go along in parts" + leave_out);
+           " colours, which look like an image and not like labels, and cannot be kept out of "
+           "core" +
+           leave_out);
     if (labels_.size() > facts_.faces / 2)
       fail("its faces have " + std::to_string(labels_.size()) +
-           " different labels, as numbers of faces are, which can't go along in parts");
+           " different labels, like numbers of faces, which cannot be kept out of core");
   }
 
   template <class Tell>

@@ -155,7 +155,7 @@ inline void require_space(const std::filesystem::path& path, std::uint64_t bytes
     out << static_cast<double>(n) / 1e9 << " GB";
     return out.str();
   };
-  fail_file(path, "only " + text(*space) + " are free there, and " + what + " takes about " +
+  fail_file(path, "only " + text(*space) + " are free there, and " + what + " needs about " +
                       text(bytes));
 }
 

@@ -51,7 +51,7 @@ struct JobMarker {
     if (text.rfind(magic, 0) != 0 ||
         !(words >> levels >> marker.levels >> folder >> marker.has_folder) || levels != "levels" ||
         folder != "folder" || words >> more)
-      fail_file(path, "is not what was written, so it is not known whose this folder is");
+      fail_file(path, "was changed after it was written, so the owner of this folder is unknown");
     return marker;
   }
 
@@ -72,7 +72,7 @@ public:
     // Another process that is about to end may remove the folder, or the file, in between.
     for (int tries = 0; !take(); ++tries) {
       if (tries == most_tries)
-        fail_file(folder_.scratch(), "another process works there");
+        fail_file(folder_.scratch(), "another process uses it");
       std::this_thread::sleep_for(a_moment);
     }
   }
@@ -114,7 +114,7 @@ private:
       const std::string owner = read_owner();
       close();
       if (!owner.empty())
-        fail_file(folder_.scratch(), owner + " works there, on a job that is not over");
+        fail_file(folder_.scratch(), owner + " uses it for an unfinished job");
       return false; // it is about to write its name
     }
     if (is_at_its_place())
@@ -150,13 +150,15 @@ private:
       return static_cast<void>(JobMarker::read(folder_.marker()));
     std::error_code error;
     if (!std::filesystem::is_directory(folder_.path(), error))
-      fail_file(folder_.path(), "is no folder, and has the name of a job's; move it, or give "
-                                "another scratch folder");
+      fail_file(folder_.path(),
+                "is not a folder, but has the name of a job's folder; move it, or choose another "
+                "scratch folder");
     for (std::filesystem::directory_iterator i(folder_.path(), error), end; !error && i != end;
          i.increment(error))
       if (!is_job_file(i->path().filename().string(), {"job"}) && !is_lock(i->path()))
-        fail_file(folder_.path(), "is not a job's, and has " + i->path().filename().string() +
-                                      " in it; move it, or give another scratch folder");
+        fail_file(folder_.path(), "does not belong to a job, and has " +
+                                      i->path().filename().string() +
+                                      " in it; move it, or choose another scratch folder");
     made_.write(folder_.marker());
   }
 

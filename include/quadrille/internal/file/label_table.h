@@ -42,7 +42,7 @@ public:
       values_.push_back(values);
     if (values_.size() > most)
       throw std::length_error("more than " + std::to_string(most) +
-                              " different labels, as numbers of faces are");
+                              " different labels, like numbers of faces");
     last_ = found->second;
     return last_;
   }

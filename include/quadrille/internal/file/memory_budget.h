@@ -74,7 +74,7 @@ public:
     const std::uint64_t needed = 2 * vertices + vertices / 4 + base + buffers();
     if (needed > memory_)
       throw std::invalid_argument("quadrille::OutOfCore: to cut a surface of " +
-                                  std::to_string(vertices) + " vertices takes a memory of " +
+                                  std::to_string(vertices) + " vertices needs a memory of " +
                                   std::to_string(needed * 16 / 15) + " bytes");
   }
 

@@ -115,7 +115,7 @@ private:
       if (sizes.size() > most_parts)
         throw std::invalid_argument("quadrille::OutOfCore: there would be more than " +
                                     std::to_string(most_parts) +
-                                    " parts: they have to be larger, which takes more memory");
+                                    " chunks: they have to be larger, which needs more memory");
     }
   };
 

@@ -96,9 +96,9 @@ auto limit_in_part(const Limit& limit, double diagonal) {
 /// one.
 template <class Stop>
 auto faces_and_limit(const Stop& stop) {
-  static_assert(!IsOptional<Stop>, "quadrille::simplify_file: a std::optional alone is no target: "
-                                   "pass a limit that may be given beside a count, as AnyOf{"
-                                   "FaceRatio{0.5}, limit}.");
+  static_assert(!IsOptional<Stop>,
+                "quadrille::simplify_file: a std::optional alone is not a target: combine an "
+                "optional limit with a count, as in AnyOf{FaceRatio{0.5}, limit}.");
   if constexpr (needs_of<Stop>().distance)
     return std::pair(FaceCount{0}, std::tuple<Stop>(stop));
   else

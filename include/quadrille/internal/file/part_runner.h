@@ -31,17 +31,18 @@ public:
 
   static_assert(!asks_for_indices<Placement>,
                 "quadrille: each chunk of a file numbers its vertices again: a placement that asks "
-                "for indices in the input is for surfaces in memory");
+                "for indices in the input works only for surfaces in memory");
   static_assert(((!is_guard<Policies> || works_in_parts<Policies>)&&...),
-                "quadrille: each part of a file is simplified without the others, in phases that "
-                "begin anew, so that guards are for surfaces in memory: NoSelfIntersection, "
-                "KeepSolid{}, NormalDeviation, or one without works_in_parts");
+                "quadrille: chunks of a file are simplified one by one, in several phases, so this "
+                "guard works only for surfaces in memory: NoSelfIntersection, KeepSolid{}, "
+                "NormalDeviation, or one without works_in_parts");
   static_assert(!(is_recorder<Held<Policies>> || ...),
-                "quadrille: parts of a file are simplified several at a time and number vertices "
-                "anew: a recorder is for surfaces in memory");
-  static_assert(!needs_closed_surface<Placement>,
-                "quadrille: a part of a file is no closed surface: hulls are for surfaces in "
-                "memory");
+                "quadrille: each chunk of a file numbers its vertices again: a recorder works only "
+                "for surfaces in memory");
+  static_assert(
+      !needs_closed_surface<Placement>,
+      "quadrille: a chunk of a file is not a closed surface: hulls work only for surfaces "
+      "in memory");
 
   /// Do boundary vertices stay?
   PartRunner(bool locks_boundary, Cost cost, Placement placement, const Policies&... policies)
@@ -186,7 +187,7 @@ private:
   using Limits = decltype(std::tuple_cat(limit_as_tuple(std::declval<const Policies&>())...));
   using Others = decltype(std::tuple_cat(other_as_tuple(std::declval<const Policies&>())...));
   static constexpr bool has_limit = std::tuple_size_v<Limits> > 0;
-  static_assert(std::tuple_size_v<Limits> <= 1, "quadrille: there are two limits of distances");
+  static_assert(std::tuple_size_v<Limits> <= 1, "quadrille: there are two distance limits");
 
   bool locks_boundary_;
   Cost cost_;

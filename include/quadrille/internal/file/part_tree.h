@@ -130,7 +130,7 @@ private:
         if (sizes_.size() >= most_parts)
           throw std::invalid_argument("quadrille::OutOfCore: there would be more than " +
                                       std::to_string(most_parts) +
-                                      " parts: they have to be larger, which takes more memory");
+                                      " chunks: they have to be larger, which needs more memory");
         nodes_[node].numbers[part] = static_cast<PartNumber>(sizes_.size());
         sizes_.push_back(nodes_[node].cut.sizes()[part]);
       }

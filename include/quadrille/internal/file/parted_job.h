@@ -76,8 +76,9 @@ public:
       return false;
     plan_ = PhasePlan::read(folder_.plan(phase));
     if (plan_.key != key_)
-      fail_file(folder_.path(), "has parts of another file, or of another target, cost or size of "
-                                "parts; remove it, or give another folder");
+      fail_file(folder_.path(),
+                "has chunks of another file, or for another target, cost or chunk size; remove it, "
+                "or choose another folder");
     return true;
   }
   /// Removes the files of the previous phase, which has ended, even if a run was killed before it
@@ -236,7 +237,7 @@ public:
       const auto header =
           Survivors::header(folder_.left(plan_.phase, p), part_key(), plan_.phase, p);
       if (!header)
-        throw std::logic_error("quadrille::PartitionedSimplifier: part " + std::to_string(p) +
+        throw std::logic_error("quadrille::PartitionedSimplifier: chunk " + std::to_string(p) +
                                " of phase " + std::to_string(plan_.phase) +
                                " has not been simplified");
       result.push_back(*header);

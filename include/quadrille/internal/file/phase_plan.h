@@ -99,7 +99,7 @@ struct PhasePlan {
     const std::size_t end = content.rfind("end ");
     if (end == std::string::npos || content.compare(0, magic.size(), magic) != 0 ||
         content.substr(end) != end_of(content.substr(0, end)))
-      fail_file(path, "is not what was written: its checksum is another one");
+      fail_file(path, "was changed after it was written: its checksum differs");
     std::istringstream text(content.substr(magic.size(), end - magic.size()));
     PhasePlan plan;
     text >> std::hex;

@@ -66,7 +66,7 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   using State = typename Cost::State;
   static_assert(
       std::is_empty_v<State> || requires(State m) { m -= m; },
-      "quadrille: a cost with state needs a State with -= here");
+      "quadrille: out of core, a cost with state needs a State with the operator -=");
   PieceResult<Cost> result;
   const GivenStates<State> given{std::move(piece.states), std::move(piece.has_state)};
   auto policies = pick_policies<NotGiven, NotGiven>(cost, placement, arguments...);
@@ -75,11 +75,11 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   policies.optional.costs = &result.costs;
   std::vector<FaceBound> bounds = std::move(piece.bounds);
   if (!bounds.empty() && bounds.size() != piece.triangles.size())
-    throw std::invalid_argument("quadrille: a piece has " + std::to_string(bounds.size()) +
+    throw std::invalid_argument("quadrille: a tile has " + std::to_string(bounds.size()) +
                                 " bounds, not " + std::to_string(piece.triangles.size()));
   if (policies.stop.needs().tolerance && piece.tolerances.empty()) {
     if (bounds.empty() && !piece.triangles.empty())
-      throw std::invalid_argument("quadrille: a piece has no tolerances");
+      throw std::invalid_argument("quadrille: a tile has no tolerances");
     policies.optional.greatest_tolerance = piece.greatest_tolerance;
   }
   if (policies.stop.needs().distance) {

@@ -188,7 +188,7 @@ private:
     const std::size_t points = piece_.positions.size();
     const auto require = [](const char* name, const auto& list, std::size_t wanted) {
       if (!list.empty() && list.size() != wanted)
-        throw std::invalid_argument("quadrille: a piece has " + std::to_string(list.size()) + " " +
+        throw std::invalid_argument("quadrille: a tile has " + std::to_string(list.size()) + " " +
                                     name + ", not " + std::to_string(wanted));
     };
     require("values of is_shared", piece_.is_shared, points);
@@ -200,7 +200,7 @@ private:
     for (const auto& edge : piece_.borders)
       for (Index v : edge)
         if (v >= points)
-          throw std::invalid_argument("quadrille: a border of a piece names point " +
+          throw std::invalid_argument("quadrille: a border of a tile refers to point " +
                                       std::to_string(v) + " of " + std::to_string(points));
   }
 
@@ -225,7 +225,7 @@ private:
   void read_channels(std::size_t points, Input& input) {
     for (const PieceChannel& channel : channels_->channels) {
       if (channel.components == 0 || channel.values.size() != points * channel.components)
-        throw std::invalid_argument("quadrille: a channel of a piece has " +
+        throw std::invalid_argument("quadrille: a channel of a tile has " +
                                     std::to_string(channel.values.size()) + " numbers for " +
                                     std::to_string(points) + " values of " +
                                     std::to_string(channel.components));

@@ -50,12 +50,14 @@ struct PieceOfPart {
   using State = typename Cost::State;
   static constexpr bool has_state = !std::is_empty_v<State>;
   static constexpr std::size_t state_size = has_state ? sizeof(State) : 0;
-  static_assert(Cost::dimension == 3, "quadrille: a file is simplified with a cost in space");
+  static_assert(Cost::dimension == 3,
+                "quadrille: a file is simplified with a cost of positions only");
   static_assert(std::is_trivially_copyable_v<State>,
-                "quadrille: the state of a vertex is written to files, so it must be bytes");
+                "quadrille: the state of a vertex is written to files, so it has to be trivially "
+                "copyable");
   static_assert(!asks_for_indices<Cost> && !AccumulatesByIndex<Cost>,
                 "quadrille: each chunk of a file numbers its vertices again: a cost that asks for "
-                "indices in the input is for surfaces in memory");
+                "indices in the input works only for surfaces in memory");
 
   /// Returns the box of the surface, with room for vertices that move out of it.
   static Box<3> box(const FileBox& box) {

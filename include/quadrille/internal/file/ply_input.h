@@ -132,7 +132,7 @@ private:
       fail_file(file_.path(), "its vertices have lists");
     if (vertices_->count > most_vertex_ids)
       fail_file(file_.path(), "has " + std::to_string(vertices_->count) +
-                                  " vertices, more than corners of faces can name");
+                                  " vertices, more than the indices of faces can express");
     if (is_placed_)
       require_size();
   }
@@ -220,14 +220,14 @@ private:
         dropped_.push_back(texture);
     if (scalars_.channels() > VertexScalars::most_channels)
       fail_file(file_.path(), "its vertices have " + std::to_string(scalars_.channels()) +
-                                  " different attributes; no more than " +
+                                  " different attributes; out of core, at most " +
                                   std::to_string(VertexScalars::most_channels) +
-                                  " go along in parts, and 'positions only' leaves them out");
+                                  " can be kept; 'positions only' leaves them out");
     if (found != 3)
       fail_file(file_.path(), "its vertices have no x, y and z");
     for (const Placed& c : coordinates_)
       if (c.type.is_integer || !(c.type == coordinates_[0].type))
-        fail_file(file_.path(), "coordinates are not all floats, nor all doubles");
+        fail_file(file_.path(), "coordinates are neither all floats nor all doubles");
   }
 
   void place_corners(bool positions_only) {
@@ -245,7 +245,7 @@ private:
     if (corners_ == faces_->properties.size())
       fail_file(file_.path(), "its faces have no list vertex_indices");
     if (!faces_->properties[corners_].type.is_integer)
-      fail_file(file_.path(), "its vertex_indices are no integers");
+      fail_file(file_.path(), "its vertex_indices are not integers");
   }
 
   static bool is_label(const PlyProperty& p) {
@@ -340,11 +340,12 @@ private:
       const char* const bytes = taken(stream, property.count_type->size, face);
       const double told = ply_number<is_swapped>(*property.count_type, bytes);
       if (number == corners_ ? told != 3 : told < 0)
-        fail_file(file_.path(), "face " + std::to_string(face) + " has " +
-                                    std::to_string(static_cast<std::int64_t>(told)) +
-                                    (number == corners_ ? " corners, where by the size of the file "
-                                                          "all have three"
-                                                        : " values in '" + property.name + "'"));
+        fail_file(file_.path(),
+                  "face " + std::to_string(face) + " has " +
+                      std::to_string(static_cast<std::int64_t>(told)) +
+                      (number == corners_
+                           ? " corners, but by the size of the file all faces have three"
+                           : " values in '" + property.name + "'"));
       count = static_cast<std::size_t>(told);
     }
     if (number != corners_) {

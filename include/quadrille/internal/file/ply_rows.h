@@ -53,9 +53,9 @@ public:
     const std::optional<double> value = parse_number(word);
     if (!value)
       fail(word.empty() ? "has fewer values than the header declares"
-                        : in_quotes(word) + " is no number");
+                        : in_quotes(word) + " is not a number");
     if (type.is_integer && !(std::trunc(*value) == *value && fits(type, *value)))
-      fail(in_quotes(word) + " is no number of the type " + type.name());
+      fail(in_quotes(word) + " is not a number of the type " + type.name());
     return *value;
   }
   void end_item() {

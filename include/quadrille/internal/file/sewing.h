@@ -98,7 +98,7 @@ private:
     void take(ByteStream& from, void* to, std::size_t size) {
       const char* const bytes = from.next(size);
       if (!bytes)
-        fail_file(file.path(), "ends within what was written");
+        fail_file(file.path(), "is shorter than what was written");
       std::memcpy(to, bytes, size);
     }
 

@@ -91,7 +91,7 @@ private:
     if (got == header.size() && file.size() == size)
       return faces;
     if (header.starts_with("solid"))
-      fail_file(file.path(), "is text; a file is read in parts if it is binary");
+      fail_file(file.path(), "is a text file; out of core, only binary STL is read");
     fail_file(file.path(), got < header.size()
                                ? "ends within the 84 bytes that a binary STL file begins with"
                                : "has " + std::to_string(file.size()) + " bytes; with " +
@@ -100,8 +100,9 @@ private:
   }
 
   [[noreturn]] static void fail_colors(const std::filesystem::path& path) {
-    fail_file(path, "has colours of faces, which can't go along in parts; 'positions only' leaves "
-                    "them out");
+    fail_file(path,
+              "has colours of faces, which cannot be kept out of core; 'positions only' leaves "
+              "them out");
   }
 
   // The number of steps between two calls of `ask`.
@@ -171,7 +172,7 @@ private:
 
   void put_vertex(std::vector<char>& buffer, const std::array<float, 3>& position) {
     if (vertices_++ == most_vertex_ids)
-      fail_file(file_.path(), "has more vertices than corners of faces can name");
+      fail_file(file_.path(), "has more vertices than the indices of faces can express");
     for (const float x : position) {
       const auto bytes = std::bit_cast<std::array<char, 4>>(x);
       buffer.insert(buffer.end(), bytes.begin(), bytes.end());

@@ -36,8 +36,8 @@ public:
         welds_(welds) {
     if (paths_.empty() || paths_.size() > most_parts)
       throw std::invalid_argument("quadrille::simplify_file: " + std::to_string(paths_.size()) +
-                                  " files are no surface; from 1 to " + std::to_string(most_parts) +
-                                  " may be tiles of one");
+                                  " files were given, but a surface has from 1 to " +
+                                  std::to_string(most_parts) + " tiles");
     kinds_.resize(paths_.size());
     JobKey key;
     for (const std::filesystem::path& path : paths_)
@@ -99,8 +99,8 @@ public:
     std::sort(sorted.begin(), sorted.end());
     const auto same = std::adjacent_find(sorted.begin(), sorted.end());
     if (same != sorted.end())
-      throw std::invalid_argument("quadrille::simplify_file: two tiles would be " + same->string() +
-                                  " in the folder of the output");
+      throw std::invalid_argument("quadrille::simplify_file: two tiles would be written to " +
+                                  same->string() + " in the folder of the output");
     return result;
   }
 
@@ -119,8 +119,8 @@ private:
   std::uint64_t add_file(std::size_t i) {
     const std::filesystem::path& path = paths_[i];
     if (has_extension(path, ".stl") != has_extension(paths_.front(), ".stl"))
-      fail_file(path, "is no tile of a surface with " + paths_.front().string() +
-                          ": all have to be PLY, or all STL");
+      fail_file(path, "cannot be a tile of the same surface as " + paths_.front().string() +
+                          ": all tiles have to be PLY, or all STL");
     return has_extension(path, ".stl") ? add_stl(i) : add_ply(i);
   }
   std::uint64_t add_stl(std::size_t i) {
@@ -251,10 +251,11 @@ private:
       fail_without_tolerance(path, ply_->scalars());
     if (!choice_.positions_only && !ply_->dropped().empty())
       fail_file(path, "has " + ply_->dropped().front() +
-                          ", which can't go along in parts; 'positions only' leaves it out");
+                          ", which cannot be kept out of core; 'positions only' leaves it out");
     if (is_tiled() && !ply_->scalars().textures().empty())
-      fail_file(path, "names a texture, which can't go along with tiles; 'positions only' leaves "
-                      "it out");
+      fail_file(
+          path,
+          "refers to a texture, which cannot be kept with tiles; 'positions only' leaves it out");
   }
 
   [[noreturn]] void fail_without_tolerance(const std::filesystem::path& path,
@@ -263,9 +264,9 @@ private:
     for (const PlyProperty& p : scalars.properties())
       if (scalars.place_of(p.name))
         names += (names.empty() ? "" : ", ") + p.name;
-    fail_file(path, "its vertices have no scalar " + choice_.tolerance + " of tolerances" +
-                        (names.empty() ? ", nor any other: a PLY file can give them some"
-                                       : ", but " + names));
+    fail_file(path, "its vertices have no scalar " + choice_.tolerance + " for tolerances" +
+                        (names.empty() ? "; they have none at all, but those of a PLY file can"
+                                       : "; they have " + names));
   }
 
   std::vector<std::filesystem::path> paths_;

@@ -130,7 +130,7 @@ struct Survivors {
       offset += size;
     });
     if (checksum.value() != header.checksum)
-      fail_file(path, "is not what was written: its checksum is another one");
+      fail_file(path, "was changed after it was written: its checksum differs");
     return s;
   }
 

@@ -72,8 +72,8 @@ private:
     };
     if (!same(tile.scalars().properties(), first_.scalars().properties()) ||
         !same(tile.labels(), first_.labels()) || tile.has_doubles() != first_.has_doubles())
-      fail_file(names_[t], "has other properties, or other types of numbers, than " +
-                               names_[0].string() + ", with which it is to be one surface");
+      fail_file(names_[t], "has other properties, or other types of them, than " +
+                               names_[0].string() + ", which belongs to the same surface");
   }
 
   // How the faces of a tile use a vertex.
@@ -110,7 +110,7 @@ private:
         return;
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]) ||
           !std::all_of(scalars.begin(), scalars.end(), [](double x) { return std::isfinite(x); }))
-        fail_file(names_[t], "vertex " + std::to_string(v) + " has a number that is not finite");
+        fail_file(names_[t], "vertex " + std::to_string(v) + " has a value that is not finite");
       if (uses[v] == Use::border)
         border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, // turns -0 into 0
                           t,
@@ -139,7 +139,7 @@ private:
     if (vertices_ - merged_.size() > most_vertex_ids)
       fail_file(names_[0], "and the other tiles have " +
                                std::to_string(vertices_ - merged_.size()) +
-                               " vertices, more than corners of faces can name");
+                               " vertices, more than the indices of faces can express");
   }
 
   void merge(std::span<const BorderVertex> same) {

@@ -160,7 +160,7 @@ private:
     fail_file(input_.file().path(),
               "vertices " + std::to_string(first) + " and " + std::to_string(v) +
                   " lie at the same place and differ in " + names +
-                  ", so they can't become one in parts; 'positions only' leaves it out");
+                  ", so they cannot be merged out of core; 'positions only' leaves it out");
   }
 
   std::uint64_t piece() const {

@@ -126,14 +126,14 @@ inline Bytes compressed([[maybe_unused]] const Bytes& bytes) {
   packed.resize(size);
   return packed;
 #else
-  throw std::runtime_error("to compress takes zstd: define QUADRILLE_WITH_ZSTD, link zstd");
+  throw std::runtime_error("compression needs zstd: define QUADRILLE_WITH_ZSTD and link zstd");
 #endif
 }
 /// Returns the bytes that were compressed to `packed`.
 inline Bytes decompressed([[maybe_unused]] const Bytes& packed, [[maybe_unused]] std::size_t size) {
 #ifdef QUADRILLE_WITH_ZSTD
   if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != size)
-    throw std::runtime_error("a block has another size than the directory says");
+    throw std::runtime_error("the size of a block does not match the directory");
   Bytes bytes(size);
   const std::size_t got = ZSTD_decompress(bytes.data(), size, packed.data(), packed.size());
   if (ZSTD_isError(got) || got != size)
@@ -141,7 +141,8 @@ inline Bytes decompressed([[maybe_unused]] const Bytes& packed, [[maybe_unused]]
   return bytes;
 #else
   throw std::runtime_error(
-      "it is compressed, which takes zstd: define QUADRILLE_WITH_ZSTD, link zstd");
+      "it is compressed, and reading it needs zstd: define QUADRILLE_WITH_ZSTD and link "
+      "zstd");
 #endif
 }
 

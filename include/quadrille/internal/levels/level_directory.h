@@ -44,7 +44,7 @@ struct FileBlock {
     constexpr std::uint64_t best_compression = 100'000; // a greater ratio is invalid
     if (offset > size || stored > size - offset || raw / best_compression > stored ||
         (is_compressed == 0 && raw != stored))
-      throw std::runtime_error("a block lies outside of it");
+      throw std::runtime_error("a block lies outside the file");
     Bytes bytes(stored);
     file.seekg(static_cast<std::streamoff>(offset));
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(stored));

@@ -61,7 +61,7 @@ public:
     segment.bounds = reader.get_column<float>(known != 0 ? contractions : 0);
     for (std::size_t width : widths)
       segment.tracks.push_back(read_track(width, contractions, faces, reader));
-    require(reader.left() == 0, "a segment is longer than it says");
+    require(reader.left() == 0, "a segment is longer than its header says");
     require_ascending(segment.errors, segment.error_before);
     require_ascending(segment.bounds, segment.bound_before);
     for (const LevelTrack& track : segment.tracks)
@@ -109,7 +109,7 @@ private:
     std::size_t sum = 0;
     for (Index& step : steps) {
       sum += step;
-      require(sum <= most, "there are fewer changes than it says");
+      require(sum <= most, "there are fewer changes than the header says");
       step = static_cast<Index>(sum);
     }
     return steps;
@@ -199,7 +199,7 @@ private:
     const auto parents = reader.get<std::uint32_t>();
     const auto changes = reader.get<std::uint32_t>();
     const auto bytes = reader.get<std::uint8_t>();
-    require(bytes == 4 || bytes == 8, "its numbers have a size that is unknown");
+    require(bytes == 4 || bytes == 8, "its numbers have an unknown size");
     const auto read_all = [&](std::size_t count) {
       return bytes == 4 ? read_numbers<float>(count, width, reader)
                         : read_numbers<double>(count, width, reader);
@@ -229,14 +229,14 @@ private:
             "its changes do not add up");
     for (std::size_t i = 0; i < track.parents.size(); ++i)
       require(track.parents[i] == none || track.parents[i] < first + i,
-              "an item becomes one that is gone");
+              "an item is replaced by one that was removed");
     for (Index item : track.changed)
       require(item < track.items(), "a change is out of range");
   }
 
   static void require_ascending(const std::vector<float>& column, float before) {
     for (float value : column) {
-      require(value >= before, "an error falls"); // false for a NaN
+      require(value >= before, "an error decreases"); // false for a NaN
       before = value;
     }
   }
@@ -274,7 +274,7 @@ private:
                   vertices.parents[--there - first] == vertices.changed[begin];
       while (there > vertices.items_after[i])
         is_step = vertices.parents[--there - first] == none && is_step;
-      require(is_step, "a contraction is none of two vertices");
+      require(is_step, "a contraction does not have two vertices");
       begin = end;
     }
   }

@@ -60,9 +60,10 @@ private:
   static void require_tolerances(const SurfaceView& input, const std::vector<double>& tolerances) {
     if (tolerances.size() != input.points.size())
       throw std::invalid_argument(
-          "quadrille::verify: there are not as many tolerances as vertices of the input");
+          "quadrille::verify: the number of tolerances is not the number of vertices of the "
+          "input");
     if (std::any_of(tolerances.begin(), tolerances.end(), [](double t) { return !(t >= 0); }))
-      throw std::invalid_argument("quadrille::verify: a tolerance is not a distance");
+      throw std::invalid_argument("quadrille::verify: a tolerance is negative or not a number");
   }
   static double tolerance_of(const Corners& corners, const std::vector<double>& of_vertex) {
     if (of_vertex.empty())

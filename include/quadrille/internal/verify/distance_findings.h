@@ -18,7 +18,8 @@ public:
 
   static void require_sense(const Claims& claims) {
     if (!(claims.distance.value_or(0) >= 0 && claims.distance_both_ways.value_or(0) >= 0))
-      throw std::invalid_argument("quadrille::verify: the claim is not a distance");
+      throw std::invalid_argument(
+          "quadrille::verify: the claimed distance is negative or not a number");
   }
 
   /// Returns the least distance that is claimed of the result.

@@ -63,8 +63,8 @@ template <class... Surface>
 DistanceSurface measured_surface(const char* caller, const Surface&... surface) {
   DistanceSurface result = distance_surface(read_surface(caller, surface...));
   if (result.triangles.empty())
-    throw std::invalid_argument(caller +
-                                std::string(": a surface without faces is at no distance"));
+    throw std::invalid_argument(
+        caller + std::string(": the distance to a surface without faces is undefined"));
   return result;
 }
 

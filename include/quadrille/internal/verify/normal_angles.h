@@ -41,7 +41,7 @@ public:
       : input_(input), images_(images), result_(result) {
     if (images.size() != input.points.size())
       throw std::invalid_argument(
-          "quadrille::verify: there are not as many images as vertices of the input");
+          "quadrille::verify: the number of images is not the number of vertices of the input");
     std::set<Corners> fronts;
     for (std::size_t face = 0; face < result.triangles.size(); ++face)
       if (is_front(result.triangles[face], fronts)) {

@@ -32,10 +32,10 @@ public:
   std::vector<Finding> look() {
     UmbrellasOfSolid before(input_), after(result_);
     if (before.open_edges() > 0)
-      throw std::invalid_argument("quadrille::verify: the input is not closed, so no result can "
-                                  "be the same solid: edges that have not as many faces on one "
-                                  "side as on the other: " +
-                                  std::to_string(before.open_edges()));
+      throw std::invalid_argument(
+          "quadrille::verify: the input is not closed, so no result can be the same solid: "
+          "number of edges with different numbers of faces on both sides: " +
+          std::to_string(before.open_edges()));
     add("open edges", 0, after.open_edges(), result_.points[after.open_at()]);
     look_at_doubled_faces();
     if (after.open_edges() == 0) {
@@ -70,20 +70,20 @@ private:
     std::size_t at = 0, face = 0;
     const std::size_t before = count_doubled_faces(input_, at);
     const std::size_t after = count_doubled_faces(result_, face);
-    add("faces on the vertices of another one", before, after,
-        result_.points[result_.triangles[face][0]], after <= before);
+    add("duplicate faces", before, after, result_.points[result_.triangles[face][0]],
+        after <= before);
   }
 
   void compare() {
     const std::vector<std::size_t> images = MatchedParts(before_, after_).match();
     const bool are_as_many = before_.size() == after_.size();
-    add("parts", before_.size(), after_.size(), are_as_many ? Place() : place_of_odd(images));
-    add_parts("parts with another number of handles", images,
+    add("components", before_.size(), after_.size(), are_as_many ? Place() : place_of_odd(images));
+    add_parts("components with a different number of handles", images,
               [&](auto i, auto j) { return before_[i].euler_number == after_[j].euler_number; });
-    add_parts("parts turned inside out, or without a volume", images, [&](auto i, auto j) {
+    add_parts("components turned inside out, or without volume", images, [&](auto i, auto j) {
       return before_[i].shape.orientation() == after_[j].shape.orientation();
     });
-    add_parts("parts that lie in others than before", images, [&](auto i, auto j) {
+    add_parts("components inside other components than before", images, [&](auto i, auto j) {
       std::vector<std::size_t> around;
       for (const std::size_t other : before_[i].around)
         if (images[other] != MatchedParts::none)

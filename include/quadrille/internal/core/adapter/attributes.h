@@ -35,13 +35,13 @@ class AttributeMap {
 public:
   static_assert(
       requires { typename boost::property_traits<Map>::value_type; },
-      "quadrille: attributes are passed as a property map; of a vector that is "
+      "quadrille: attributes are passed as a property map; for a vector, pass "
       "CGAL::make_property_map(vector)");
   static constexpr std::size_t size = N;
   using Value = typename boost::property_traits<Map>::value_type;
-  static_assert(is_number<ComponentOf<Value>>,
-                "quadrille: the values of an attribute map are numbers, or have numbers by []; "
-                "these are something else.");
+  static_assert(
+      is_number<ComponentOf<Value>>,
+      "quadrille: the values of an attribute map have to be numbers, or have numbers by [].");
   static_assert(component_count<Value>() >= N,
                 "quadrille: the values of this attribute map have fewer components than the cost "
                 "reads: choose an AttributeQuadric<N> that fits them.");

@@ -101,10 +101,11 @@ public:
   /// Throws std::invalid_argument if there are not three.
   RowsOfMatrix(M& matrix, const std::string& what, bool in_columns)
       : held_(hold(matrix)), in_columns_(in_columns) {
-    static_assert(can_hold_rows<M>(),
-                  "quadrille::simplify: a matrix of points or triangles has three columns and a "
-                  "number of rows that is not fixed, or the other way round: use Eigen::MatrixXd, "
-                  "Eigen::MatrixX3d or Eigen::Matrix3Xd, and the same of integers.");
+    static_assert(
+        can_hold_rows<M>(),
+        "quadrille::simplify: a matrix of points or triangles has three columns and any "
+        "number of rows, or the other way round: use Eigen::MatrixXd, Eigen::MatrixX3d or "
+        "Eigen::Matrix3Xd, and the same with integers.");
     if ((in_columns ? matrix.rows() : matrix.cols()) != 3)
       throw std::invalid_argument(
           "quadrille::simplify: a matrix of " + what + "s has " + std::to_string(matrix.rows()) +

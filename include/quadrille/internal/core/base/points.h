@@ -36,8 +36,9 @@ concept ReadablePoint = NamedPoint<P> || IndexedPoint<P>;
 /// The coordinates, or the nearest doubles.
 template <class Point>
 Vector<3> position_of(const Point& p) {
-  static_assert(ReadablePoint<Point>, "quadrille: a point is one of a CGAL kernel, or three "
-                                      "numbers by index as in std::array<double, 3>");
+  static_assert(ReadablePoint<Point>,
+                "quadrille: a point has to be a point of a CGAL kernel, or three numbers by index "
+                "such as std::array<double, 3>");
   if constexpr (NamedPoint<Point>)
     return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
   else if constexpr (IndexedPoint<Point>)

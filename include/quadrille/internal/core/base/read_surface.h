@@ -72,7 +72,7 @@ std::array<Index, 3> read_face(const char* caller, const Mesh& mesh,
   if (next(third, mesh) != first)
     throw std::invalid_argument(
         std::string(caller) + ": face " + std::to_string(face) +
-        " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_faces makes it so");
+        " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_faces triangulates it");
   return {number_of(target(first, mesh)), number_of(target(second, mesh)),
           number_of(target(third, mesh))};
 }
@@ -83,7 +83,8 @@ template <class Triangle>
 std::array<Index, 3> read_triangle(const char* caller, const Triangle& triangle, std::size_t face,
                                    std::size_t points) {
   return read_indices(triangle, face, points, {caller}, [] {
-    return " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons makes it so";
+    return " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons "
+           "triangulates it";
   });
 }
 

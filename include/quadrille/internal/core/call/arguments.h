@@ -301,9 +301,10 @@ constexpr void check_counts() {
                 "both.");
   static_assert(count_of<Kind::pairs, Cost, Arguments...> <= 1,
                 "simplify takes one pair policy: pass only one.");
-  static_assert(count_of<Kind::stop, Cost, Arguments...> <= 1,
-                "simplify takes one stop policy: combine several with AnyOf or AllOf. A lambda is "
-                "one, asked with a Status; a filter is a class with a member allows(contraction).");
+  static_assert(
+      count_of<Kind::stop, Cost, Arguments...> <= 1,
+      "simplify takes one stop policy: combine several with AnyOf or AllOf. A lambda of a "
+      "Status is a stop policy; a filter is a class with a member allows(contraction).");
   static_assert(count_of<Kind::order, Cost, Arguments...> <= 1,
                 "simplify takes one order: pass only one.");
   static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,
@@ -328,8 +329,8 @@ template <class Stop, class Cost>
 constexpr void check_stop() {
   static_assert(
       !needs_of<Stop>().cost || has_cost_in_mesh_units<Cost>,
-      "The stop policy needs what contractions cost in the mesh's units, and this ScaleFree "
-      "cost has none: give it a member degree(), see <quadrille/concepts.h>.");
+      "The stop policy needs costs in the mesh's units, which this ScaleFree cost does not "
+      "have: give it a member degree(), see <quadrille/concepts.h>.");
 }
 
 template <class Order, class... Arguments>

@@ -50,8 +50,9 @@ auto pick_labels(const Arguments&... arguments) {
   constexpr bool are_patches = is_given<decltype(patches)>;
   const auto labels = QUADRILLE_PICK(is_labels);
   constexpr auto count = std::tuple_size_v<std::remove_const_t<decltype(labels)>>;
-  static_assert(count + are_patches <= 1,
-                "simplify takes the labels of faces once: as Labels{map} or as face_patch_map.");
+  static_assert(
+      count + are_patches <= 1,
+      "simplify takes one map of face labels: pass either Labels{map} or face_patch_map.");
   if constexpr (count > 0)
     return std::get<0>(labels);
   else if constexpr (are_patches && IsOptional<decltype(patches)>)
@@ -86,10 +87,10 @@ auto named_channels([[maybe_unused]] const Named& named) {
   if constexpr (Cost::dimension == 3 &&
                 names_any<Named>(np::vertex_color_map, np::vertex_texture_map,
                                  np::vertex_normal_map, parameters::vertex_attribute)) {
-    static_assert(AreChannelsIncluded<Named>,
-                  "vertex_color_map, vertex_texture_map, vertex_normal_map and "
-                  "vertex_attribute_map are channels if the cost is one in space: include "
-                  "<quadrille/channels.h>.");
+    static_assert(
+        AreChannelsIncluded<Named>,
+        "vertex_color_map, vertex_texture_map, vertex_normal_map and vertex_attribute_map "
+        "become channels if the cost has no attributes: include <quadrille/channels.h>.");
     if constexpr (AreChannelsIncluded<Named>)
       return NamedChannels<Named>::of(named);
     else
@@ -103,8 +104,8 @@ auto named_channels([[maybe_unused]] const Named& named) {
 template <class Cost, class... Arguments>
 auto pick_channels(const Arguments&... arguments) {
   static_assert(Cost::dimension == 3 || (!is_channel<Arguments> && ...),
-                "This cost has attributes of its own: channels (Texture, Normals, Colors, "
-                "Attributes) go with costs in space, as Quadric.");
+                "This cost has its own attributes: channels (Texture, Normals, Colors, Attributes) "
+                "need a cost without attributes, such as Quadric.");
   return std::tuple_cat(QUADRILLE_PICK(is_channel), named_channels<Cost>(pick_named(arguments...)));
 }
 

@@ -51,15 +51,17 @@ void reject_nearly_known() {
   constexpr bool is_stop_of_cgal = StopOfCgal<Argument>;
   constexpr bool is_optional = IsOptional<Argument>;
   static_assert(!is_optional,
-                "A std::optional says at run time whether there is a policy. A cost, a "
-                "placement, a channel and SplitVertices are chosen at compile time: the "
-                "value of this one is one of these, or no policy.");
-  static_assert(!is_levels, "Levels are no policy: write record_into(levels).");
-  static_assert(!is_stop_of_cgal, "A stop predicate of CGAL is no stop policy: write "
-                                  "CgalStop(predicate), or EdgeCount{n}, EdgeRatio{r}.");
-  static_assert(is_optional || is_levels || is_stop_of_cgal,
-                "A filter or stop policy is asked as a constant: declare its member function "
-                "const, and leave mutable out of a lambda.");
+                "This std::optional contains no policy that may be chosen at run time. Costs, "
+                "placements, channels and SplitVertices are chosen at compile time: pass them "
+                "without std::optional.");
+  static_assert(!is_levels, "Levels are not a policy: write record_into(levels).");
+  static_assert(!is_stop_of_cgal,
+                "A stop predicate of CGAL is not a stop policy: write CgalStop(predicate), or "
+                "EdgeCount{n}, EdgeRatio{r}.");
+  static_assert(
+      is_optional || is_levels || is_stop_of_cgal,
+      "A filter or stop policy is called as a constant: declare its member function const, "
+      "and do not declare a lambda mutable.");
 }
 
 /// Does not compile, since an argument is of no kind, and says what it lacks to be of each.
@@ -67,25 +69,29 @@ template <class Cost, class UnknownArgument, class Call>
 void reject_argument() {
   static_assert(
       AllAreKnown<UnknownArgument>,
-      "An argument of this call is no cost, placement, pairs, stop, order, filter or guard: its "
-      "position and its type are those of ArgumentIsNoPolicy<position, type>.");
+      "An argument of this call is not a policy (cost, placement, pairs, stop, order, "
+      "filter or guard): see ArgumentIsNoPolicy<position, type> for its position and type.");
   using Argument = typename UnknownArgument::type;
   if constexpr (std::is_arithmetic_v<Argument>) {
     static_assert(!std::is_arithmetic_v<Argument>,
                   "A number does not say what it counts: write FaceCount{1000}, FaceRatio{0.1} or "
                   "DistanceLimit{0.01}.");
   } else if constexpr (LooksLikeCost<Argument>) {
-    static_assert(CostPolicy<Argument>, "It is no cost.");
+    static_assert(CostPolicy<Argument>, "The argument does not model CostPolicy.");
   } else if constexpr (LooksLikePlacement<Argument, Cost>) {
-    static_assert(PlacementPolicy<Argument, Cost>, "It is no placement.");
+    static_assert(PlacementPolicy<Argument, Cost>,
+                  "The argument does not model PlacementPolicy for the cost of this call.");
   } else if constexpr (std::is_class_v<Argument>) {
-    static_assert(PlacementPolicy<Argument, Cost>, "It is no placement.");
-    static_assert(PairPolicy<Argument>, "It is no pair policy.");
-    static_assert(StopPolicy<Argument>, "It is no stop policy.");
-    static_assert(FilterPolicy<Argument, Cost>, "It is no filter.");
+    static_assert(PlacementPolicy<Argument, Cost>,
+                  "The argument does not model PlacementPolicy for the cost of this call.");
+    static_assert(PairPolicy<Argument>, "The argument does not model PairPolicy.");
+    static_assert(StopPolicy<Argument>, "The argument does not model StopPolicy.");
+    static_assert(FilterPolicy<Argument, Cost>,
+                  "The argument does not model FilterPolicy for the cost of this call.");
     static_assert(is_guard<Argument>,
-                  "It is no guard: that has a member begin(const GuardedSurface&) const.");
-    static_assert(CostPolicy<Argument>, "It is no cost.");
+                  "The argument does not model GuardPolicy, which has a member begin(const "
+                  "GuardedSurface&) const.");
+    static_assert(CostPolicy<Argument>, "The argument does not model CostPolicy.");
   }
 }
 
@@ -93,9 +99,10 @@ void reject_argument() {
 /// function were deleted instead, a compiler would list all others of its name.
 template <class... Call>
 Report reject_constant() {
-  static_assert(sizeof...(Call) == 0,
-                "What is constant or temporary cannot be simplified: simplify changes its surface, "
-                "which has to have a name and no const; simplified makes a new one.");
+  static_assert(
+      sizeof...(Call) == 0,
+      "simplify cannot change a constant or temporary surface: pass a variable that is not "
+      "const, or use simplified, which returns a new surface.");
   return {};
 }
 
@@ -119,7 +126,7 @@ Report reject() {
   using UnknownArgument = Unknown<position, Cost, Arguments...>;
   if constexpr (!CostPolicy<UsedCost>) {
     static_assert(CostPolicy<UsedCost>,
-                  "The cost of this call is no CostPolicy: see <quadrille/concepts.h>.");
+                  "The cost of this call does not model CostPolicy: see <quadrille/concepts.h>.");
   } else if constexpr (!AllAreKnown<UnknownArgument>) {
     if constexpr (NearlyKnown<typename UnknownArgument::type, UsedCost>)
       reject_nearly_known<typename UnknownArgument::type, Call>();
@@ -127,7 +134,7 @@ Report reject() {
       reject_argument<UsedCost, UnknownArgument, Call>();
   } else {
     static_assert(PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, UsedCost>,
-                  "The placement of this call is no PlacementPolicy for its cost: see "
+                  "The placement of this call does not model PlacementPolicy for its cost: see "
                   "<quadrille/concepts.h>.");
   }
   return {};
@@ -150,9 +157,10 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::ReadableGraph<Graph> &&
     (!internal::FaceGraph<Graph>)&&(!std::is_const_v<Graph>)Report
     simplify(Graph&, const Arguments&...) {
-  static_assert(internal::FaceGraph<Graph>,
-                "This graph can be read only, as a Face_filtered_graph: simplify the mesh that it "
-                "is a view of, with quadrille::parameters::face_is_selected_map for its faces.");
+  static_assert(
+      internal::FaceGraph<Graph>,
+      "This graph is read-only, like a Face_filtered_graph: simplify the underlying mesh, "
+      "with quadrille::parameters::face_is_selected_map for its faces.");
   return {};
 }
 
@@ -173,8 +181,8 @@ requires internal::MatrixLike<Points> && internal::MatrixLike<Triangles> &&
     (!internal::BufferedSoup<Points, Triangles>)Report
     simplify(const Points&, const Triangles&, const Arguments&...) {
   static_assert(internal::BufferedSoup<Points, Triangles>,
-                "The numbers of these matrices are not those of a soup: points are of float or "
-                "double, triangles of integers, and the points come first.");
+                "These matrices are not a soup: points consist of float or double, triangles of "
+                "integers, and the points come first.");
   return {};
 }
 
@@ -184,8 +192,8 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::PointContainer<Points> && internal::NoTriangles<Triangles, Points>
     Report simplify(Points&, Triangles&, const Arguments&...) {
   static_assert(internal::TriangleContainer<Triangles>,
-                "The triangles of a soup are three integers each, by index, as std::array<int, 3>: "
-                "what this container has is none.");
+                "Each triangle of a soup has to have three integers by index, such as "
+                "std::array<int, 3>: the elements of this container do not.");
   return {};
 }
 

@@ -55,17 +55,16 @@ constexpr bool check_keys() {
     else
       return true;
   }();
+  static_assert(vertices_fit,
+                "A named parameter vertex_..._map has the wrong keys: they have to be the vertices "
+                "of the mesh, or the indices of the points of a soup.");
+  static_assert(faces_fit,
+                "face_is_selected_map or face_patch_map has the wrong keys: they have to be the "
+                "faces of the mesh, or the indices of the triangles of a soup.");
   static_assert(
-      vertices_fit,
-      "A named parameter vertex_..._map is a map over something else: its keys have to be "
-      "the vertices of the mesh, of a soup the indices of points.");
-  static_assert(
-      faces_fit,
-      "face_is_selected_map or face_patch_map is a map over something else: its keys have "
-      "to be the faces of the mesh, of a soup the indices of triangles.");
-  static_assert(labels_fit,
-                "The map of Labels is over something else: its keys have to be the faces of the "
-                "mesh, of a soup the indices of triangles.");
+      labels_fit,
+      "The map of Labels has the wrong keys: they have to be the faces of the mesh, or the "
+      "indices of the triangles of a soup.");
   return vertices_fit && faces_fit && labels_fit;
 }
 
@@ -93,17 +92,18 @@ constexpr bool check_keys_of_mesh() {
   constexpr bool others_fit =
       check_keys<Vertex, typename Graph::face_descriptor, Cost, Carried, NamedParameters>();
   constexpr bool edges_fit = take_key<typename Graph::edge_descriptor, NamedParameters>(OfEdges());
-  static_assert(edges_fit,
-                "A named parameter edge_..._map is a map over something else: its keys have to be "
-                "the edges of the mesh.");
+  static_assert(
+      edges_fit,
+      "A named parameter edge_..._map has the wrong keys: they have to be the edges of the "
+      "mesh.");
   constexpr auto is_corner = []<class Key>(std::type_identity<Key>) {
     return std::same_as<Key, Vertex> || std::same_as<Key, typename Graph::halfedge_descriptor>;
   };
   constexpr bool channels_fit =
       have_keys(static_cast<typename Carried::Channels*>(nullptr), is_corner);
   static_assert(channels_fit,
-                "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
-                "of a mesh are property maps over its vertices or over its halfedges.");
+                "The map of a channel has the wrong keys: for a mesh, Texture, Normals, Colors and "
+                "Attributes take property maps over its vertices or halfedges.");
   return others_fit && edges_fit && channels_fit;
 }
 
@@ -117,8 +117,8 @@ constexpr bool check_keys_of_soup() {
   constexpr bool channels_fit =
       have_keys(static_cast<typename Carried::Channels*>(nullptr), is_index);
   static_assert(channels_fit,
-                "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
-                "of a soup are property maps over the indices of its points.");
+                "The map of a channel has the wrong keys: for a soup, Texture, Normals, Colors and "
+                "Attributes take property maps over the indices of its points.");
   return others_fit && channels_fit;
 }
 

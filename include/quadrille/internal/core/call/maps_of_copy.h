@@ -59,10 +59,11 @@ Map map_of_copy(const Map& map, [[maybe_unused]] const Mesh& mesh, [[maybe_unuse
   } else if constexpr (PropertyOf<Map, Mesh>) {
     return property_of_copy(map, mesh, copy);
   } else {
-    static_assert(std::is_empty_v<Map> || (IndexedMesh<Mesh> && !is_written),
-                  "quadrille::simplified: this map is over the mesh, and the copy has vertices, "
-                  "halfedges, edges and faces of its own: copy the mesh and call simplify with a "
-                  "map over the copy.");
+    static_assert(
+        std::is_empty_v<Map> || (IndexedMesh<Mesh> && !is_written),
+        "quadrille::simplified: this map is over the mesh, but the copy has its own "
+        "vertices, halfedges, edges and faces: copy the mesh and call simplify with a map "
+        "over the copy.");
     return map;
   }
 }
@@ -83,8 +84,8 @@ template <class Tag, class T, class Mesh>
 T value_of_copy(const T& value, const Mesh& mesh, Mesh& copy) {
   static_assert(!NamesOfResult::contains<Tag>,
                 "quadrille::simplified: vertex_to_vertex_map, vertex_quadric_map and "
-                "duplicate_output_iterator speak of vertices that get others when the copy is "
-                "tidied up: copy the mesh and call simplify.");
+                "duplicate_output_iterator refer to vertices, which are renumbered when garbage is "
+                "collected from the copy: copy the mesh and call simplify.");
   if constexpr (ReadNames::contains<Tag> || WrittenNames::contains<Tag>)
     return map_of_copy<WrittenNames::contains<Tag>>(value, mesh, copy);
   else

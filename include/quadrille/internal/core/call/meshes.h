@@ -121,7 +121,7 @@ void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
   using Creases = decltype(CGAL::parameters::get_parameter(named, parameters::edge_is_crease));
   static_assert(
       !is_given<Creases> || requires(const Cost cost) { cost.crease_degrees; },
-      "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
+      "quadrille::simplify: edge_is_crease_map needs a cost with creases: use Quadric");
   with_map<CGAL::internal_np::edge_is_constrained_t>(
       named, [&](const auto& map) { reader.fix_edges(map, input); });
   with_map<parameters::edge_is_crease_t>(named,
@@ -215,8 +215,10 @@ auto soup_adapter(Points& points, Triangles& triangles, Map map, Attributes attr
   using Labels = typename Carried::Labels;
   auto channels = channel_maps(carried.channels);
   if constexpr (Carried::splits_vertices) {
-    static_assert(Attributes::size == 0, "quadrille::simplify: SplitVertices goes with costs in "
-                                         "space: pass attributes as channels.");
+    static_assert(
+        Attributes::size == 0,
+        "quadrille::simplify: SplitVertices needs a cost without attributes: pass attributes "
+        "as channels.");
     return SplitSoupAdapter<Points, Triangles, Map, Labels, decltype(channels)>(
         points, triangles, map, carried.labels, std::move(channels), workspace);
   } else {

@@ -131,9 +131,11 @@ auto pick_attributes(const NamedParameters& named) {
 /// as doubles.
 template <class Point, class NamedParameters>
 constexpr void check_points() {
-  static_assert(ReadablePoint<Point>,
-                "quadrille: a point is one of a CGAL kernel, or three numbers by index as in "
-                "std::array<double, 3>; for others pass a property map to such ones, point_map");
+  static_assert(
+      ReadablePoint<Point>,
+      "quadrille: a point has to be a point of a CGAL kernel, or three numbers by index "
+      "such as std::array<double, 3>; for other types pass a property map to such points, "
+      "point_map");
   using Traits = std::remove_cvref_t<decltype(CGAL::parameters::get_parameter(
       std::declval<const NamedParameters&>(), CGAL::internal_np::geom_traits))>;
   if constexpr (is_given<Traits>)
@@ -176,14 +178,15 @@ constexpr void check_named(Names<Read...>) {
                 "ColorQuadric, vertex_texture_map with TextureQuadric, vertex_normal_map with "
                 "NormalQuadric and vertex_attribute_map with AttributeQuadric<N>.");
   static_assert(!are_cgals,
-                "get_cost, get_placement and filter are for CGAL's own policies: pass those of "
+                "get_cost, get_placement and filter are for CGAL's own policies: pass policies of "
                 "quadrille as arguments, as in simplify(mesh, Quadric{}, OptimalPlacement{}).");
   static_assert(!is_concurrency,
-                "concurrency_tag is not read: threads are chosen by RelaxedOrder{.threads = n}.");
-  static_assert(are_attributes || are_cgals || is_concurrency ||
-                    std::same_as<decltype(unread), const Names<>>,
-                "Nothing in this call reads one of its named parameters: those that simplify knows "
-                "are listed in <quadrille/simplify.h>.");
+                "concurrency_tag has no effect: choose threads by RelaxedOrder{.threads = n}.");
+  static_assert(
+      are_attributes || are_cgals || is_concurrency ||
+          std::same_as<decltype(unread), const Names<>>,
+      "A named parameter of this call has no effect: <quadrille/simplify.h> lists the ones "
+      "that simplify uses.");
 }
 
 } // namespace quadrille::internal

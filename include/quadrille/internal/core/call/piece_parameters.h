@@ -55,8 +55,8 @@ void list_borders(const Reader& reader, std::size_t points, Input& input,
         if (std::cmp_greater_equal(edge[i], points) || std::cmp_less(edge[i], 0))
           throw std::invalid_argument("quadrille::simplify: edge " +
                                       std::to_string(input.borders.size()) +
-                                      " of border_edges names point " + std::to_string(edge[i]) +
-                                      " of " + std::to_string(points));
+                                      " of border_edges refers to point " +
+                                      std::to_string(edge[i]) + " of " + std::to_string(points));
       input.borders.push_back({reader.vertex_of(static_cast<std::size_t>(edge[0])),
                                reader.vertex_of(static_cast<std::size_t>(edge[1]))});
     }

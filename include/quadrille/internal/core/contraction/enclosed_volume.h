@@ -79,17 +79,17 @@ private:
     const std::size_t edges = count_unbalanced_edges(surface.complex());
     if (edges > 0)
       throw std::invalid_argument(
-          "quadrille::simplify: a hull needs a closed surface whose faces are oriented alike, "
-          "and " +
+          "quadrille::simplify: a hull needs a closed surface with consistently oriented "
+          "faces, but " +
           std::to_string(edges) +
-          " edges have not as many faces on one side as on the other; "
-          "CGAL::Polygon_mesh_processing has stitch_borders, triangulate_hole and "
-          "orient_polygon_soup");
+          " edges have different numbers of faces on both sides; CGAL::Polygon_mesh_processing "
+          "has stitch_borders, triangulate_hole and orient_polygon_soup");
     is_known_ = true;
     if (sum_up(surface) < 0)
       throw std::invalid_argument(
-          "quadrille::simplify: a hull needs a surface that is oriented outwards, and this one is "
-          "oriented inwards; CGAL::Polygon_mesh_processing::orient_to_bound_a_volume changes that");
+          "quadrille::simplify: a hull needs a surface that is oriented outwards, and this one "
+          "is oriented inwards; CGAL::Polygon_mesh_processing::orient_to_bound_a_volume "
+          "changes that");
   }
 
   // Six times the volume, in the engine's units.

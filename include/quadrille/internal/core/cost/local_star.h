@@ -48,7 +48,7 @@ class LocalStar {
 public:
   using Current = typename Cost::Current;
   static_assert(std::is_trivially_copyable_v<Current>,
-                "quadrille: Cost::Current is no plain value");
+                "quadrille: Cost::Current is not trivially copyable");
   static constexpr std::size_t most_faces = 16;
 
   LocalStar() {} // of no vertex

@@ -27,9 +27,10 @@ struct NoLocalTerms {
 /// include.
 template <class Cost>
 struct LocalTermsOf {
-  static_assert(!has_local_terms<Cost>,
-                "The cost has local terms (Current): include <quadrille/memoryless_quadric.h>, "
-                "which brings what sums them up.");
+  static_assert(
+      !has_local_terms<Cost>,
+      "The cost has local terms (Current): include <quadrille/memoryless_quadric.h>, which "
+      "sums them up.");
   using type = NoLocalTerms;
 };
 

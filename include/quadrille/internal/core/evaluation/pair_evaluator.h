@@ -91,7 +91,7 @@ public:
   bool settle(Candidate& candidate, const PairStar& star) const {
     if constexpr (looks_at_star<Placement>) {
       static_assert(is_scale_free<Placement>,
-                    "A placement that looks at the star has to be scale-free: see CostPolicy and "
+                    "A placement that uses the star has to be scale-free: see CostPolicy and "
                     "PlacementPolicy in <quadrille/concepts.h>.");
       const Index a = candidate.first, b = candidate.second;
       if (is_settled(a, b)) {

@@ -64,9 +64,9 @@ template <class Evaluator>
 class TwoLanes {
 public:
   using Cost = typename Evaluator::Cost;
-  static_assert(is_scale_free<Cost>,
-                "A cost that says TwoLanes has to be scale-free: see CostPolicy in "
-                "<quadrille/concepts.h>.");
+  static_assert(
+      is_scale_free<Cost>,
+      "A cost with TwoLanes has to be scale-free: see CostPolicy in <quadrille/concepts.h>.");
 
   explicit TwoLanes(const Evaluator& evaluator) : evaluator_(evaluator) {}
 

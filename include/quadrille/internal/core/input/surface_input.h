@@ -137,7 +137,7 @@ Box<N> box_of_units(const SurfaceInput<N>& input, const Box<N>& own) {
   for (std::size_t i = 0; i < 3 && !input.triangles.empty(); ++i)
     if (own.low[i] < given.low[i] - margin || own.high[i] > given.high[i] + margin)
       throw std::invalid_argument("quadrille::simplify: the surface, from " + text_of_box(own) +
-                                  ", is not inside of bounding_box, from " + text_of_box(given));
+                                  ", is not inside bounding_box, from " + text_of_box(given));
   return given;
 }
 

@@ -24,7 +24,7 @@ public:
   void add(Index a, Index b) {
     if (size() == most)
       throw std::length_error("quadrille::simplify: the pair policy selected more than " +
-                              std::to_string(most) + " pairs that are no edges");
+                              std::to_string(most) + " pairs that are not edges");
     const Index end = static_cast<Index>(ends_.size());
     ends_.push_back({a, next_of(a, end)});
     ends_.push_back({b, next_of(b, end + 1)});

@@ -121,9 +121,10 @@ public:
     if (!topology_)
       return topology;
     if (topology.value_or(*topology_) != *topology_)
-      throw std::invalid_argument(keeps_topology_ +
-                                  std::string(" keeps the topology: pass no Topology::free or "
-                                              "Topology::parts_may_vanish with it"));
+      throw std::invalid_argument(
+          keeps_topology_ +
+          std::string(
+              " keeps the topology: pass no Topology::free or Topology::parts_may_vanish with it"));
     return topology_;
   }
 

@@ -238,8 +238,8 @@ Needs needs_now(const Stop& stop) {
   } else if constexpr (requires { stop.needs_now(); }) {
     static_assert(
         requires { Stop::needs; },
-        "A stop policy with needs_now() has to say `static constexpr Needs needs` as well: "
-        "what those of its type may need.");
+        "A stop policy with needs_now() also has to have `static constexpr Needs needs`: "
+        "everything that its type may need.");
     return with_implied(stop.needs_now()) & needs_of<Stop>();
   } else {
     return needs_of<Stop>();

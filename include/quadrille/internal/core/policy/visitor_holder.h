@@ -21,17 +21,17 @@ inline HeldVisitor hold_visitor(CGAL::internal_np::Param_not_found) {
 template <class V>
 HeldVisitor hold_visitor(const V& visitor) {
   static_assert(VisitorPolicy<V>,
-                "A visitor has a member function bool proceed(const quadrille::Status&): derive it "
-                "from quadrille::Visitor.");
+                "A visitor has to have a member function bool proceed(const quadrille::Status&): "
+                "derive it from quadrille::Visitor.");
   return [held = visitor](const Status& status) mutable -> bool { return held.proceed(status); };
 }
 /// One that the user keeps.
 template <class V>
 HeldVisitor hold_visitor(const std::reference_wrapper<V>& visitor) {
   static_assert(VisitorPolicy<V>,
-                "A visitor has a member function bool proceed(const quadrille::Status&), which is "
-                "const if the visitor is: derive it from quadrille::Visitor, and pass std::ref of "
-                "one that changes.");
+                "A visitor has to have a member function bool proceed(const quadrille::Status&), "
+                "which is const if the visitor is: derive it from quadrille::Visitor, and pass "
+                "std::ref of a visitor that changes.");
   return [visitor](const Status& status) -> bool { return visitor.get().proceed(status); };
 }
 

@@ -132,8 +132,9 @@ concept HearsAfter = requires(Observer& observer, const Event& event) {
 
 template <class Observer, class Event>
 QUADRILLE_ALWAYS_INLINE inline void tell_before(Observer& observer, const Event& event) {
-  static_assert(HearsBefore<Observer, Event> || HearsAfter<Observer, Event>,
-                "quadrille: an observer of contractions has before(event) or after(event)");
+  static_assert(
+      HearsBefore<Observer, Event> || HearsAfter<Observer, Event>,
+      "quadrille: an observer of contractions needs a member before(event) or after(event)");
   if constexpr (HearsBefore<Observer, Event>)
     observer.before(event);
 }

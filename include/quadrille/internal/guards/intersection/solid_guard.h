@@ -46,7 +46,7 @@ private:
     if (open > 0)
       throw std::invalid_argument(
           "quadrille::KeepSolid: the surface is not closed: " + std::to_string(open) +
-          " edges have not as many faces on one side as on the other, the first from " +
+          " edges have different numbers of faces on both sides, the first from " +
           place(first[0]) + " to " + place(first[1]));
   }
 
