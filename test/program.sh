@@ -131,7 +131,7 @@ for parts in parts.ply parts.obj; do
   expect stdout '8 small components vanished'
   expect_faces out.off 8
   run 1 $parts out.off --faces 8 --keep-parts
-  expect stderr '^out.off: 10 components are left, and each keeps some faces: --pairs joins'
+  expect stderr '^out.off: 10 components are left, and each keeps some faces: --pairs DISTANCE joins'
   if grep -q 'with --drop-parts' stderr; then fail "what vanishes there is far from what stays"; fi
   expect_faces out.off 40
   run 1 $parts out.off --faces 8 --topology kept
@@ -733,7 +733,7 @@ expect_usage_error '^there is no option --xost; did you mean --cost\?$' plain.of
 expect_usage_error "^'100': unexpected argument; did you mean --faces 100\?$" plain.off out.off 100
 expect_usage_error "^'c.off': unexpected argument after IN and OUT; --into FOLDER simplifies several files$" plain.off out.off c.off
 run 2 plain.off out.off --pairs 1000
-expect stderr '^plain.off: about [0-9]+ pairs of vertices are closer than 1000, more than the limit of 64 a vertex$'
+expect stderr '^plain.off: about [0-9]+ pairs of vertices are closer than 1000, more than the limit of 64 per vertex$'
 run 0 --help
 expect stdout '--keep'
 
