@@ -76,9 +76,9 @@ public:
   /// Rewrites points, triangles and channels; the soup stays as it was if anything throws.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
-    static_assert(!Tell::asks_for_images,
-                  "quadrille::simplify: vertex_to_vertex_map does not go with SplitVertices: a point "
-                  "may become several.");
+    static_assert(
+        !Tell::asks_for_images,
+        "vertex_to_vertex_map does not go with SplitVertices: a point may become several.");
     const Array<Index> inputs = result.input_faces();
     const Array<Index> faces = in_order(inputs, result.input_face_count());
     const SplitPoints split(result, faces, inputs, triangles_, channels_.of_points());
