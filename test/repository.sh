@@ -22,6 +22,7 @@ rooms() {
     case $1 in
       internal/*) set -- "${1#internal/}"; echo "${1%%/*}"; return ;;
       compiled/*) echo compiled; return ;;
+      c/*) echo c; return ;;
     esac
     for module in $modules; do
       case " $(list "${module}_headers") " in *" $1 "*) echo "$module"; return ;; esac
@@ -37,7 +38,7 @@ rooms() {
   done
   folder=$(mktemp -d)
   trap 'rm -rf "$folder"' EXIT
-  grep -o '^#include <quadrille/[^>]*' *.h compiled/* internal/*/*.h internal/*/*/*.h |
+  grep -o '^#include <quadrille/[^>]*' *.h compiled/* c/* internal/*/*.h internal/*/*/*.h |
     sed 's|:#include <quadrille/| |' >"$folder/includes"
   cut -d' ' -f1 "$folder/includes" | cat - "$folder/includes" |
     tr ' ' '\n' | sort -u | while read -r header; do echo "$header $(module_of "$header")"; done \
@@ -81,7 +82,7 @@ rooms() {
 
   # A function begins where a declaration with a parameter list ends in a brace, and ends with a brace
   # below the first letter of the declaration, which comes after one that is complete.
-  for header in *.h compiled/*.h compiled/*.cpp internal/*/*.h internal/*/*/*.h; do
+  for header in *.h compiled/*.h compiled/*.cpp c/*.h c/*.cpp internal/*/*.h internal/*/*/*.h; do
     if [ "$(wc -l <"$header")" -gt 600 ]; then
       echo "$header has more than 600 lines"
       wrong=1
@@ -109,7 +110,7 @@ rooms() {
 # max, which may be macros where windows.h is included: (std::min)(a, b).
 compiler_spellings() {
   ! grep -rnE 'gnu::|msvc::|__attribute__|__builtin_|__forceinline|\[\[no_unique_address' include |
-    grep -v -e '/internal/core/base/compiler\.h:' -e '/internal/core/base/lanes\.h:'
+    grep -v -e '/internal/core/base/compiler\.h:' -e '/internal/core/base/lanes\.h:' -e '/quadrille/quadrille\.h:'
   ! grep -rn '' include | sed 's|//.*||' | grep -E '\b(min|max) *\('
 }
 

@@ -1,0 +1,57 @@
+#ifndef QUADRILLE_C_REPORT_MEMBERS_H
+#define QUADRILLE_C_REPORT_MEMBERS_H
+
+#include <quadrille/report.h>
+
+#include <string>
+
+/// \file
+/// The members of a report by name.
+
+namespace quadrille::internal {
+
+/// Calls visit(name, member) for all members of a report. A new member does not compile here.
+template <class Visit>
+void visit_members(const Report& report, const Visit& visit) {
+  const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
+               contractions, non_edge_contractions, components_before, components_after,
+               vanished_parts, largest_vanished_part, non_manifold_edges, non_manifold_vertices,
+               duplicated_vertices, doubled_faces, doubled_labels, stop, error, distance_bound,
+               hausdorff_bound, used_tolerance, volume_before, volume_after, self_intersections,
+               normal_bound_degrees, rejections, seconds] = report;
+  visit("faces_before", faces_before);
+  visit("counted_faces", counted_faces);
+  visit("faces_after", faces_after);
+  visit("vertices_before", vertices_before);
+  visit("vertices_after", vertices_after);
+  visit("contractions", contractions);
+  visit("non_edge_contractions", non_edge_contractions);
+  visit("components_before", components_before);
+  visit("components_after", components_after);
+  visit("vanished_parts", vanished_parts);
+  visit("largest_vanished_part", largest_vanished_part);
+  visit("non_manifold_edges", non_manifold_edges);
+  visit("non_manifold_vertices", non_manifold_vertices);
+  visit("duplicated_vertices", duplicated_vertices);
+  visit("doubled_faces", doubled_faces);
+  visit("doubled_labels", doubled_labels);
+  visit("stop", stop);
+  visit("is_target_reached", is_target_reached(stop));
+  visit("error", error);
+  visit("distance_bound", distance_bound);
+  visit("hausdorff_bound", hausdorff_bound);
+  visit("used_tolerance", used_tolerance);
+  visit("volume_before", volume_before);
+  visit("volume_after", volume_after);
+  visit("self_intersections", self_intersections);
+  visit("normal_bound_degrees", normal_bound_degrees);
+  visit("rejections", rejections);
+  visit("seconds", seconds);
+}
+
+/// Returns a report as an object of JSON. A number that is unknown or infinite is null.
+std::string json_of(const Report& report);
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_C_REPORT_MEMBERS_H
