@@ -109,6 +109,46 @@ links() {
   exit $status
 }
 
+# Documents are plain English, as comments are (repository.sh words): they use no word of words.txt, and no paragraph
+# and no item of a list begins with a word such as Of or What, unless it is a question. Code and names of files are no words.
+words() {
+  banned=$(grep -v '^#' test/words.txt | cut -f1 | paste -sd '|')
+  # Places where a word is meant: a line of a document, and the reason.
+  cat > "$folder/allowed" <<'EOF'
+EOF
+  # shellcheck disable=SC2046
+  awk -v banned=" ($banned) " -v allowed="$folder/allowed" '
+    BEGIN {
+      first = "^((Of|What|Who|Whose|Those|Where) |The same( (with|in|as|of|by|for) |,))"
+      while ((getline line < allowed) > 0) is_allowed[line] = 1
+    }
+    FNR == 1 { code = inside = 0 }
+    /^ *```/ { code = !code; inside = 0; next }
+    code { next }
+    {
+      text = $0
+      is_item = sub(/^ *([-*]|[0-9]+\.) +/, "", text)
+      is_text = text !~ /^([|#<!]|$)/
+      if (is_text && (is_item || !inside) && text ~ first && text !~ /\?/) {
+        print FILENAME ":" FNR ": begins with " substr(text, 1, 50)
+        wrong = 1
+      }
+      inside = is_text
+      gsub(/`[^`]*`|\]\([^)]*\)/, " - ", text)
+      gsub(/[^A-Za-z_]+/, "  ", text)
+      while (match(" " tolower(text) " ", banned)) {
+        word = substr(" " text " ", RSTART + 1, RLENGTH - 2)
+        if (!((FILENAME ": " word) in is_allowed)) {
+          print FILENAME ":" FNR ": says " word
+          wrong = 1
+        }
+        text = substr(" " text, RSTART + RLENGTH - 1)
+      }
+      ++lines
+    }
+    END { print lines " lines"; exit wrong || lines < 1000 }' $(find README.md doc -name '*.md' | sort)
+}
+
 # The names of classes and functions in the documents that tell what is where are names of the library:
 # each `Name`, `Name::member` or `name.h` in code is looked up in its headers.
 names() {
