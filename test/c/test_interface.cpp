@@ -195,7 +195,7 @@ TEST_CASE("Errors of C name the option, its range and the value, and leave a cal
   CHECK(error(quadrille_set_array(c, "points", &numbers)) == "points has 1 columns, not 3");
   const quadrille_array unknown{bad.data(), 2, 1, 0, 99};
   CHECK(error(quadrille_set_array(c, "importance", &unknown)) ==
-        "an array has the type 99, which is no quadrille_type");
+        "an array has the type 99, which is not a quadrille_type");
   const std::vector<std::array<std::int64_t, 3>> negative{{0, 1, 2}, {0, -1, 2}};
   const quadrille_array triangles = array_of(negative, QUADRILLE_INT64);
   REQUIRE(quadrille_set_array(c, "triangles", &triangles) == QUADRILLE_OK);

@@ -44,7 +44,7 @@ auto with_type(std::int32_t type, const Visit& visit) {
     return visit(std::int64_t{});
   default:
     throw std::invalid_argument("an array has the type " + std::to_string(type) +
-                                ", which is no quadrille_type");
+                                ", which is not a quadrille_type");
   }
 }
 

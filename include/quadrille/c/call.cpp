@@ -103,7 +103,7 @@ void set_functions(quadrille_call& call, SoupJob& job, CallProgress& progress) {
 void run(quadrille_call& call, const SimplifyJob& simplify) {
   forget_result(call);
   if (!call.points.is_given() || !call.triangles.is_given())
-    throw std::invalid_argument("there are no points or no triangles");
+    throw std::invalid_argument("points or triangles are missing");
   call.is_cancelled = false;
   SoupJob job = call.job;
   if (call.points.array.type == QUADRILLE_FLOAT32)

@@ -55,8 +55,8 @@ struct quadrille_call {
   /// Returns a channel. Throws std::out_of_range if there is none.
   quadrille_call_channel& channel(std::size_t index) {
     if (index >= channels.size())
-      throw std::out_of_range("the channel is " + std::to_string(index) + ", and there are " +
-                              std::to_string(channels.size()) + ", from 0 on");
+      throw std::out_of_range("the channel is " + std::to_string(index) + ", but there are " +
+                              std::to_string(channels.size()) + ", numbered from 0");
     return channels[index];
   }
 };

@@ -43,10 +43,10 @@ std::int32_t code_of(const Keep& keep, Task&& task) noexcept {
     keep(error.what());
     return QUADRILLE_FUNCTION_FAILED;
   } catch (const std::bad_alloc&) {
-    keep("there is not enough memory");
+    keep("out of memory");
     return QUADRILLE_OUT_OF_MEMORY;
   } catch (const std::length_error&) { // more than there are addresses
-    keep("there is not enough memory");
+    keep("out of memory");
     return QUADRILLE_OUT_OF_MEMORY;
   } catch (const std::out_of_range& error) {
     keep(error.what());
@@ -57,7 +57,7 @@ std::int32_t code_of(const Keep& keep, Task&& task) noexcept {
   } catch (const std::exception& error) {
     keep(error.what());
   } catch (...) {
-    keep("something unknown has failed");
+    keep("an unknown error occurred");
   }
   return QUADRILLE_FAILED;
 }

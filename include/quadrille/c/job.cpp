@@ -30,11 +30,11 @@ void require_one_engine(const SoupJob& job) {
 void check_star_placement(const SoupJob& job) {
   const std::string name = job.hull ? "hull" : "keep_volume";
   if (job.cost != SoupOptions::Cost::quadric && job.cost != SoupOptions::Cost::memoryless_quadric)
-    throw std::invalid_argument(name + " is for the cost memoryless_quadric");
+    throw std::invalid_argument(name + " needs the cost memoryless_quadric");
   if (job.order != SoupOptions::Order::greedy)
-    throw std::invalid_argument(name + " is for the order greedy");
+    throw std::invalid_argument(name + " needs the order greedy");
   if (job.placement)
-    throw std::invalid_argument(name + " chooses positions, and does not go with a placement");
+    throw std::invalid_argument(name + " has its own placement, and does not go with another one");
 }
 
 } // namespace

@@ -101,8 +101,8 @@ quadrille_array array_of(const quadrille_call& call, std::string_view name, std:
   if (name != "values" && name != "corners")
     throw std::invalid_argument("a result has no array " + std::string(name));
   if (channel >= result.channels.size())
-    throw std::out_of_range("the channel is " + std::to_string(channel) + ", and the result has " +
-                            std::to_string(result.channels.size()) + ", from 0 on");
+    throw std::out_of_range("the channel is " + std::to_string(channel) + ", but the result has " +
+                            std::to_string(result.channels.size()) + ", numbered from 0");
   const SoupChannel& found = result.channels[channel];
   return name == "values" ? view_of(found.values, found.components) : view_of(found.triangles);
 }
