@@ -142,6 +142,28 @@ words() {
     END { exit wrong }' {} +
 }
 
+# Messages are plain English as well: no text in quotes that has a blank uses a word of words.txt.
+messages() {
+  banned=$(grep -v '^#' test/words.txt | cut -f1 | paste -sd '|')
+  find include examples/products \( -name '*.h' -o -name '*.cpp' -o -name '*.def' -o -name '*.py' -o -name '*.js' \) \
+    ! -path '*/node_modules/*' -exec awk -F '"' -v banned=" ($banned) " '
+    /^ *(\/\/|#)/ { next }
+    {
+      for (i = 2; i <= NF; i += 2) {
+        text = $i
+        if (text !~ /[a-z] |  *[a-z]/)
+          continue
+        gsub(/\047[a-z]+\047/, " - ", text) # names
+        gsub(/[^A-Za-z_]+/, "  ", text)
+        if (match(" " tolower(text) " ", banned)) {
+          print FILENAME ":" FNR ": says" substr(" " text " ", RSTART, RLENGTH) "in a message"
+          wrong = 1
+        }
+      }
+    }
+    END { exit wrong }' {} +
+}
+
 # No file mentions a path of a developer's machine: a home, or the folder that the repository lies in.
 developer_paths() {
   folder=$(dirname "$(pwd -P)")

@@ -169,7 +169,7 @@ _NAMES: List[Tuple[str, str]] = [
     (r"quadrille::Labels: border_weight", "label_border_weight"),
     (r"quadrille::Levels: distances have not been recorded: .*",
      "no distances are recorded: simplify() records them with error= or relative_error="),
-    (r"pass no Topology::free or (?:Topology::)?parts_may_vanish(?: beside it)?",
+    (r"pass no Topology::free or (?:Topology::)?parts_may_vanish",
      "it does not go with topology='free' or 'parts_may_vanish'"),
     (r"the order of RelaxedOrder|RelaxedOrder", "order='relaxed'"),
     (r"GreedyOrder", "order='greedy'"),
