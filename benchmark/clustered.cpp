@@ -1,8 +1,8 @@
 // Vertex clustering of a binary PLY file, in memory: a row of benchmark/out_of_core_peers.py.
 //   clustered IN.ply OUT.ply FACES
 #include <quadrille/cluster.h>
+#include <quadrille/internal/file/chunk_merge.h>
 #include <quadrille/internal/file/ply_input.h>
-#include <quadrille/internal/file/sewing.h>
 
 #include <array>
 #include <cstdint>

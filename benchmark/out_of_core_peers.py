@@ -140,7 +140,7 @@ class Sewn:
         used, first = np.unique(ids, return_index=True)
         write_ply(output, points[first], np.searchsorted(used, np.concatenate(self.faces)))
 
-    def write_borders(self, path):
+    def write_boundaries(self, path):
         """Edges of the input between shared vertices."""
         with open(path, "w") as file:
             for ids, points, triangles in self.source.chunks():
@@ -169,7 +169,7 @@ def meshoptimizer(source, output, target):
         sewn.ids.append(ids[used])
         sewn.points.append(points[used])
     sewn.write(output)
-    sewn.write_borders(str(output) + ".obj")
+    sewn.write_boundaries(str(output) + ".obj")
 
 
 def vtk_decimate_pro(source, output, target):
@@ -191,7 +191,7 @@ def vtk_decimate_pro(source, output, target):
         sewn.ids.append(ids[found])
         sewn.points.append(points[found])
     sewn.write(output)
-    sewn.write_borders(str(output) + ".obj")
+    sewn.write_boundaries(str(output) + ".obj")
 
 
 PYTHON = {"vtk_clustering": vtk_clustering, "meshoptimizer": meshoptimizer, "vtk_decimate_pro": vtk_decimate_pro}

@@ -157,25 +157,25 @@ double rms_color(const Surface& s, const Surface& input) {
 using Segment = std::array<Point, 2>;
 
 /// Edges of which several parts of the phase at work have faces.
-std::vector<Segment> borders_of_phase(const internal::JobFolder& folder, unsigned phase,
-                                      std::size_t memory_size) {
+std::vector<Segment> boundaries_of_phase(const internal::JobFolder& folder, unsigned phase,
+                                         std::size_t memory_size) {
   const auto plan = internal::PhasePlan::read(folder.plan(phase));
-  std::map<std::pair<internal::VertexId, internal::VertexId>, std::set<std::size_t>> parts;
+  std::map<std::pair<internal::VertexId, internal::VertexId>, std::set<std::size_t>> chunks;
   std::map<internal::VertexId, Point> places;
-  for (std::size_t p = 0; p < plan.parts.size(); ++p) {
-    const auto part = internal::LoadedPart::read(folder, plan, p, memory_size);
+  for (std::size_t p = 0; p < plan.chunks.size(); ++p) {
+    const auto part = internal::LoadedChunk::read(folder, plan, p, memory_size);
     for (const auto& t : part.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
         const auto [v, w] = std::minmax(t[i], t[(i + 1) % 3]);
         if (!part.is_shared[v] || !part.is_shared[w])
           continue;
-        parts[{part.ids[v], part.ids[w]}].insert(p);
+        chunks[{part.ids[v], part.ids[w]}].insert(p);
         places[part.ids[v]] = part.positions[v];
         places[part.ids[w]] = part.positions[w];
       }
   }
   std::vector<Segment> borders;
-  for (const auto& [edge, owners] : parts)
+  for (const auto& [edge, owners] : chunks)
     if (owners.size() > 1)
       borders.push_back({places[edge.first], places[edge.second]});
   return borders;
@@ -245,11 +245,11 @@ void write_lines(const std::filesystem::path& path, const std::vector<Segment>& 
     lines << "l " << 2 * i + 1 << ' ' << 2 * i + 2 << '\n';
 }
 
-void print(const std::string& what, const Ratios& in_parts, const Ratios& in_one) {
+void print(const std::string& what, const Ratios& in_chunks, const Ratios& in_one) {
   std::printf("%-10s near %4.1f %%, edges %.3f (%.3f), areas %.3f (%.3f), degrees %.3f (%.3f), "
               "distances %.3f (%.3f)\n",
-              what.c_str(), 100 * in_parts.share, in_parts.length, in_one.length, in_parts.area,
-              in_one.area, in_parts.degree, in_one.degree, in_parts.distance, in_one.distance);
+              what.c_str(), 100 * in_chunks.share, in_chunks.length, in_one.length, in_chunks.area,
+              in_one.area, in_chunks.degree, in_one.degree, in_chunks.distance, in_one.distance);
 }
 
 template <class Cost>
@@ -262,34 +262,34 @@ void compare(const std::vector<std::string>& words) {
   const fs::path output = words.size() > 4 ? fs::path(words[4]) : work / "parts.ply";
   const std::uint64_t all = internal::PlyInput(input).faces();
   OutOfCore options{.scratch = work / "scratch", .memory = 16'000'000'000};
-  options.whole_faces = options.part_faces = all;
-  const std::size_t memory_size = internal::PieceOfPart<Cost>::memory_size;
+  options.whole_faces = options.chunk_faces = all;
+  const std::size_t memory_size = internal::ChunkConversion<Cost>::memory_size;
   simplify_file<Cost, OptimalPlacement>(input, work / "one.ply", FaceCount{faces}, options);
   options.whole_faces = 0;
-  options.part_faces = all / std::stoul(words[2]) + 1;
+  options.chunk_faces = all / std::stoul(words[2]) + 1;
   PartitionedSimplifier<Cost, OptimalPlacement> job(input, FaceCount{faces}, options);
   job.partition();
   std::vector<std::vector<Segment>> borders;
-  const std::size_t parts = job.parts();
+  const std::size_t chunks = job.chunks();
   do {
     borders.push_back(
-        borders_of_phase(internal::JobFolder(options.scratch), job.phase(), memory_size));
-    for (std::size_t part = 0; part < job.parts(); ++part)
+        boundaries_of_phase(internal::JobFolder(options.scratch), job.phase(), memory_size));
+    for (std::size_t part = 0; part < job.chunks(); ++part)
       job.simplify(part);
   } while (job.close());
-  const FileReport report = job.sew(output);
-  const Surface before(input), in_parts(output), in_one(work / "one.ply");
+  const FileReport report = job.merge(output);
+  const Surface before(input), in_chunks(output), in_one(work / "one.ply");
   std::printf("%s: %zu faces in %zu parts, %u phases, to %zu; in one part to %zu\n",
-              input.filename().c_str(), static_cast<std::size_t>(all), parts, report.phases,
-              in_parts.faces.size(), in_one.faces.size());
+              input.filename().c_str(), static_cast<std::size_t>(all), chunks, report.phases,
+              in_chunks.faces.size(), in_one.faces.size());
   for (std::size_t k = 0; k < borders.size(); ++k)
     if (!borders[k].empty())
-      print("phase " + std::to_string(k + 1), ratios(in_parts, before, borders[k]),
+      print("phase " + std::to_string(k + 1), ratios(in_chunks, before, borders[k]),
             ratios(in_one, before, borders[k]));
-  const double parted = rms_distance(in_parts, before), whole = rms_distance(in_one, before);
+  const double parted = rms_distance(in_chunks, before), whole = rms_distance(in_one, before);
   std::printf("RMS distance %.4g, in one part %.4g: %.4f\n", parted, whole, parted / whole);
   if (!before.colors.empty()) {
-    const double color = rms_color(in_parts, before), of_one = rms_color(in_one, before);
+    const double color = rms_color(in_chunks, before), of_one = rms_color(in_one, before);
     std::printf("RMS of colours %.4g, in one part %.4g: %.4f\n", color, of_one, color / of_one);
   }
   for (std::size_t k = 0; k < borders.size() && words.size() > 5; ++k)

@@ -114,7 +114,7 @@ draw_topology() {
   simplified $out/debris.off debris_dropped.off --faces 1600 --drop-parts
   drawn topology.png --size 400,370 --edges 0.6 --from 0.5,0.5,1 --up 0,1,0 \
     $out/debris.off='{} faces, 41 parts|with 133 tunnels' --edges 0.1 $out/debris_kept.off='Topology::kept|{} faces' \
-    $out/debris_free.off='Topology::free|{} faces' $out/debris_dropped.off='Topology::parts_may_vanish|{} faces'
+    $out/debris_free.off='Topology::free|{} faces' $out/debris_dropped.off='Topology::components_may_vanish|{} faces'
 }
 
 draw_order() {

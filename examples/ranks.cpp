@@ -21,7 +21,7 @@ int main(int argc, char* argv[]) {
     if (argc > 5)
       options.memory = std::stoull(argv[5]);
     if (argc > 6) // the whole has to fit into twice as much then
-      options.whole_faces = 2 * (options.part_faces = std::stoull(argv[6]));
+      options.whole_faces = 2 * (options.chunk_faces = std::stoull(argv[6]));
     const FileReport report = simplify_file<MemorylessQuadric, OptimalPlacement>(
         MPI_COMM_WORLD, argv[1], argv[2], FaceCount{std::stoul(argv[3])}, options);
     if (rank == 0)

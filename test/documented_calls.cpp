@@ -12,7 +12,7 @@
 #include <functional>
 #include <iostream>
 #include <quadrille/attribute_quadric.h>
-#include <quadrille/borders.h>
+#include <quadrille/boundaries.h>
 #include <quadrille/channels.h>
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>

@@ -69,11 +69,11 @@ END
 
 # A copy of the headers is given a part of its own that follows contractions, by the recipe of
 # doc/architecture.md and by nothing else, and is told of them and packed.
-#   own_part COMPILER FLAG...
-own_part() {
+#   own_observer COMPILER FLAG...
+own_observer() {
   rm -rf "$folder/include" && cp -r include "$folder/include"
   room=$folder/include/quadrille/internal/core/contraction
-  cp test/own_part/merged_vertices.h "$room"
+  cp test/own_observer/merged_vertices.h "$room"
 
   # Puts a text behind another, which stands there once.
   insert_after() {
@@ -94,7 +94,7 @@ own_part() {
 
   compiler=$1
   shift
-  "$compiler" "-I$folder/include" "$@" -O0 test/own_part/main.cpp -o "$folder/main"
+  "$compiler" "-I$folder/include" "$@" -O0 test/own_observer/main.cpp -o "$folder/main"
   "$folder/main"
 }
 
@@ -110,7 +110,7 @@ for compiler in g++ clang++; do
   "$folder/digests"
   lanes $compiler -std=c++20 -Iinclude
   min_max_macros $compiler -std=c++20 -Iinclude
-  own_part $compiler -std=c++20
+  own_observer $compiler -std=c++20
   sh test/documented.sh calls . $compiler -std=c++20 -Iinclude -fsyntax-only -Wall -Wextra \
     -Wno-unused-local-typedefs -Wdouble-promotion -Werror
 done

@@ -10,7 +10,7 @@ if [ $# -ne 1 ] || [ ! -x "$program" ]; then
   exit 2
 fi
 case $program in /*) ;; *) program=$PWD/$program ;; esac
-parts_mk=$(cd "$(dirname "$0")/../examples/products/parts" && pwd)/parts.mk
+parts_mk=$(cd "$(dirname "$0")/../examples/products/chunks" && pwd)/chunks.mk
 # shellcheck source=sheet_gltf.sh
 . "$(dirname "$0")/sheet_gltf.sh"
 
@@ -385,7 +385,7 @@ awk 'function height(x, y) { return sin(x / 3) * cos(y / 4) + (x < 10 ? x : 20 -
 # same way, and vertices are one at each place, with its colour. Faces are with their parts. Costs that know no creases
 # do not hold the borders between groups, which the surface does not show, and --cost length not the
 # ridge either: there texture coordinates stay on the border while the vertex moves.
-check_parts='
+check_chunks='
   function abs(x) { return x < 0 ? -x : x }
   $1 == "v" {
     x[++v] = $2; y[v] = $3
@@ -426,11 +426,11 @@ for cost in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '--co
     # shellcheck disable=SC2086
     run 0 $cost --ratio $ratio parts.obj out.obj
     expect_nothing stderr
-    wrong=$(awk -v far=$far -v slip=$slip -v knows_creases=$knows_creases "$check_parts" out.obj) || fail "$wrong"
+    wrong=$(awk -v far=$far -v slip=$slip -v knows_creases=$knows_creases "$check_chunks" out.obj) || fail "$wrong"
   done
 done
 run 0 --error 0.1 parts.obj out.obj
-wrong=$(awk -v far=0.02 -v slip=0.3 -v knows_creases=1 "$check_parts" out.obj) || fail "$wrong"
+wrong=$(awk -v far=0.02 -v slip=0.3 -v knows_creases=1 "$check_chunks" out.obj) || fail "$wrong"
 
 # A material file that only IN has in its folder
 mkdir elsewhere
@@ -956,7 +956,7 @@ for input in sheet.off parts.obj parts.ply; do
   expect stdout ': 800 -> (199|200) faces'
 done
 wrong=$(run 0 parts.obj out.obj --order relaxed --faces 200 &&
-  awk -v far=0.05 -v slip=0.3 -v knows_creases=1 "$check_parts" out.obj) || fail "$wrong"
+  awk -v far=0.05 -v slip=0.3 -v knows_creases=1 "$check_chunks" out.obj) || fail "$wrong"
 
 # Faces that are kept apart
 run 0 plain.off out.off --no-self-intersection --faces 200 --report out.json

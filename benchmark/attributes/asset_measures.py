@@ -100,13 +100,13 @@ def named(surface, faces):
     return np.array(surface.asset.names)[surface.asset.materials[faces]]
 
 
-def border_places(surface):
+def boundary_places(surface):
     return surface.points[surface.edges[surface.counts == 1]]
 
 
 def torn_edges(original, result):
     """Edges of one face, both ends of which lie further from every such edge of the original than 0.5 % of the diagonal."""
-    edges, old = border_places(result), border_places(original)
+    edges, old = boundary_places(result), boundary_places(original)
     if not len(old) or not len(edges):
         return len(edges)
     a, d = old[:, 0], old[:, 1] - old[:, 0]

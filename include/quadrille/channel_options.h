@@ -62,7 +62,7 @@ struct ChannelOptions {
   /// up more of the shape. The default is 10 for kept seams. For soft seams it is 0.0036 / p²,
   /// where p is the fraction of all edges that are seams, but at most 1 (reached at 6 % and below)
   /// and at least 0.1 (reached at 19 % and above).
-  std::optional<double> border_weight = {};
+  std::optional<double> chart_boundary_weight = {};
   NewValues new_values = NewValues::optimal; ///< the values of changed corners
   /// True for Colors in sRGB, as numbers in [0, 1] or in the whole range of an integral type: they
   /// are averaged as linear light, and so are their default weights. Alpha is always linear.
@@ -78,9 +78,11 @@ struct ChannelOptions {
     require_positive("importance", importance);
     for (double weight : weights)
       require_positive("a weight", weight);
-    if (border_weight && (!(*border_weight >= 0) || !std::isfinite(*border_weight)))
-      throw std::invalid_argument("quadrille::ChannelOptions: border_weight " +
-                                  internal::text_of(*border_weight) + " is negative or not finite");
+    if (chart_boundary_weight &&
+        (!(*chart_boundary_weight >= 0) || !std::isfinite(*chart_boundary_weight)))
+      throw std::invalid_argument("quadrille::ChannelOptions: chart_boundary_weight " +
+                                  internal::text_of(*chart_boundary_weight) +
+                                  " is negative or not finite");
   }
 };
 
@@ -111,13 +113,14 @@ struct Labels {
   Map map; ///< from faces, or indices of triangles, to labels
   /// The weight of the boundaries between labels, as Quadric::crease_weight; at least 0. It applies
   /// to costs with crease terms.
-  double border_weight = 1;
+  double region_boundary_weight = 1;
 
   /// Throws std::invalid_argument for a weight that is negative or not finite.
   void validate() const {
-    if (!(border_weight >= 0) || !std::isfinite(border_weight))
-      throw std::invalid_argument("quadrille::Labels: border_weight " +
-                                  internal::text_of(border_weight) + " is negative or not finite");
+    if (!(region_boundary_weight >= 0) || !std::isfinite(region_boundary_weight))
+      throw std::invalid_argument("quadrille::Labels: region_boundary_weight " +
+                                  internal::text_of(region_boundary_weight) +
+                                  " is negative or not finite");
   }
 };
 template <class Map>

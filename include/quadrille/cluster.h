@@ -89,7 +89,7 @@ concept ClusteredPoints = std::ranges::random_access_range<P> && requires(P& poi
 template <class Soup>
 CellGrid grid_of(const Soup& soup, const Grid& grid, Clusters&) {
   if (grid.x == 0 || grid.y == 0 || grid.z == 0)
-    refuse_clustering("a grid of " + std::to_string(grid.x) + " x " + std::to_string(grid.y) +
+    reject_clustering("a grid of " + std::to_string(grid.x) + " x " + std::to_string(grid.y) +
                       " x " + std::to_string(grid.z) + " cells is empty");
   return CellGrid(soup.box(), {static_cast<double>(grid.x), static_cast<double>(grid.y),
                                static_cast<double>(grid.z)});
@@ -98,7 +98,7 @@ CellGrid grid_of(const Soup& soup, const Grid& grid, Clusters&) {
 template <class Soup>
 CellGrid grid_of(const Soup& soup, const CellSize& size, Clusters&) {
   if (!(size.edge > 0) || !std::isfinite(size.edge))
-    refuse_clustering("CellSize " + text_of(size.edge) + " is not positive and finite");
+    reject_clustering("CellSize " + text_of(size.edge) + " is not positive and finite");
   return CellGrid::of_cubes(soup.box(), soup.scale().length_from_mesh(size.edge));
 }
 
@@ -173,7 +173,7 @@ requires internal::ClusteredPoints<Points> && internal::TriangleContainer<Triang
       [&](const auto& choice) { return internal::grid_of(soup, choice, clusters); }, cells);
   const auto [x, y, z] = grid.counts();
   if (!grid.is_numbered())
-    internal::refuse_clustering(internal::text_of(x) + " x " + internal::text_of(y) + " x " +
+    internal::reject_clustering(internal::text_of(x) + " x " + internal::text_of(y) + " x " +
                                 internal::text_of(z) + " cells are too many");
   report.cells = {static_cast<std::size_t>(x), static_cast<std::size_t>(y),
                   static_cast<std::size_t>(z)};

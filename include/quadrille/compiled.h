@@ -141,8 +141,8 @@ struct SoupOptions {
   /// vertex_is_shared_map; relative limits and the scale are those of bounding_box.
   std::vector<bool> shared = {};
   /// Edges of one triangle between shared points that are on the boundary of the whole surface: see
-  /// border_edges.
-  std::vector<std::array<std::uint32_t, 2>> borders = {};
+  /// boundary_edges.
+  std::vector<std::array<std::uint32_t, 2>> boundaries = {};
   /// The box that sets the scale of the simplification: see parameters::bounding_box.
   std::optional<SoupBox> bounding_box = {};
   /// True if the points of the result will be rounded to floats: see
@@ -161,7 +161,7 @@ struct SoupOptions {
   double normal_noise = 0;                  ///< the standard deviation of unit normals
   double position_noise = 0;                ///< the standard deviation of positions, in the unit of
                                             ///< the points
-  double label_border_weight = 1;           ///< see Labels::border_weight
+  double region_boundary_weight = 1;        ///< see Labels::region_boundary_weight
   /// See SplitVertices: points at exactly the same place are one vertex. The result then has no
   /// vertex map.
   bool split_vertices = false;
@@ -210,7 +210,7 @@ struct SoupResult {
   std::vector<std::uint32_t> input_faces; ///< for each triangle, its index in the input
   /// For each point of the input, the point into which it was merged, or parameters::vanished.
   /// Empty with SoupOptions::split_vertices.
-  std::vector<std::size_t> image;
+  std::vector<std::size_t> vertex_map;
   Report report; ///< the report of the simplification
 };
 
@@ -222,12 +222,12 @@ struct SoupResult {
 /// throws.
 SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options = {});
 
-/// Simplifies a soup without labels and channels in place. `image`, if it is not null, receives for
-/// each point of the input its index in the result, or parameters::vanished.
+/// Simplifies a soup without labels and channels in place. `vertex_map`, if it is not null,
+/// receives for each point of the input its index in the result, or parameters::vanished.
 ///
 /// Throws as simplified_soup() does; the soup is then unchanged.
 Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options = {},
-                     std::vector<std::size_t>* image = nullptr);
+                     std::vector<std::size_t>* vertex_map = nullptr);
 
 } // namespace quadrille
 

@@ -149,8 +149,8 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// **Requirements**, for a constant `placement`:
 ///
 /// - `placement(cost, pair)`: a position, a Vector of the cost's dimension. `pair.first` and
-///   `pair.second` are the ends, `pair.squared_reach` is the squared distance of their farthest
-///   neighbour; `cost(pair, x)` is the cost of a position and, if the cost has one,
+///   `pair.second` are the ends, `pair.squared_ring_radius` is the squared distance of their
+///   farthest neighbour; `cost(pair, x)` is the cost of a position and, if the cost has one,
 ///   `cost.minimizer(pair)` an optional position of least cost. `pair.state` is available if the
 ///   cost is not ScaleFree, or if the placement is.
 /// - Not checked: the position is finite. Otherwise the pair is rejected as Rejection::position.
@@ -173,13 +173,13 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// **Also used**, in a scale-free placement that declares `static constexpr bool looks_at_star =
 /// true`:
 ///
-/// - `placement.settle(cost, pair, star)`: an optional position once all faces around the pair are
+/// - `placement.resolve(cost, pair, star)`: an optional position once all faces around the pair are
 ///   known: `star.for_each_face(visit)` calls visit(p, q, r) with the corners of each.
 /// - `placement.admits(pair, star, x)`: the final test of each position that is tried.
 /// - `P::cause`: the Rejection that counts positions that it rejects, and pairs without a position.
 /// - `placement.any_further(cost, pair, star, predicate)`: tries other positions after a rejection.
 /// - `P::Guess`: a placement that estimates the costs by which pairs are ordered until their turn,
-///   and `P::rise_of_guess`, the factor for its costs. The call itself, `placement(cost, pair)`,
+///   and `P::rise_of_estimate`, the factor for its costs. The call itself, `placement(cost, pair)`,
 ///   returns this estimate.
 ///
 /// **The least model**:
@@ -247,7 +247,7 @@ concept PairPolicy = std::copy_constructible<P> &&
 /// - `stop.needs_now()`, in addition: the Needs of this object, a subset of those. So one type can
 ///   serve with a limit and without one, where no distances are computed. Without it every object
 ///   needs all of them.
-/// - If it stops at a pair only because of Status::next_distance, next_distance_back or
+/// - If it stops at a pair only because of Status::next_distance, next_reverse_distance or
 ///   next_tolerance, the pair is rejected and the search goes on. If it stops at a next_cost, it
 ///   must stop at all greater ones.
 /// - `stop.is_passed(status)`: returns whether a surface of this status is beyond the target, not
@@ -275,8 +275,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///   with its moving corner `before` and `after` and its others, `second` and `third`; at a vertex
 ///   of more than 128 faces, which does not move, only those of its own faces that are adjacent to
 ///   the other end's; `contraction.target()` is the new position; `contraction.highest_degree()` is
-///   the higher degree of the pair's ends, in faces; `contraction.makes_fold()` returns whether a
-///   face would fold over a neighbour.
+///   the higher degree of the pair's ends, in faces; `contraction.makes_fold_over()` returns
+///   whether a face would fold over a neighbour.
 /// - The elements are identified by indices in the input: the pair's ends are `contraction.first()`
 ///   and `contraction.second()`, `face.index` is that of a face that changes, and
 ///   `contraction.removed_faces()` has those of the removed faces;

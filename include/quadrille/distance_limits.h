@@ -16,13 +16,14 @@ namespace quadrille {
 namespace internal {
 
 /// A distance, or a fraction of the diagonal of the bounding box.
-class DistanceOrPart {
+class DistanceOrFraction {
 public:
   /// Returns the limit in the mesh's units, for a bounding box with this diagonal.
   double distance(double diagonal) const { return is_relative_ ? number_ * diagonal : number_; }
 
 protected:
-  DistanceOrPart(double number, bool is_relative) : number_(number), is_relative_(is_relative) {}
+  DistanceOrFraction(double number, bool is_relative)
+      : number_(number), is_relative_(is_relative) {}
 
   double number() const { return number_; }
   bool is_relative() const { return is_relative_; }
@@ -58,7 +59,7 @@ private:
 /// Status::next_distance may be called several times for one contraction, with increasing lower
 /// bounds of its distance; if it stops at one distance, it must stop at all greater ones. Source:
 /// the projection along the mean normal is that of Bajaj and Schikore 1996.
-class DistanceLimit : public internal::DistanceOrPart {
+class DistanceLimit : public internal::DistanceOrFraction {
 public:
   /// `distance` is in the mesh's units.
   explicit DistanceLimit(double distance) : DistanceLimit(distance, false) {}
@@ -78,7 +79,7 @@ public:
   void validate() const { require_distance("quadrille::DistanceLimit"); }
 
 private:
-  DistanceLimit(double number, bool is_relative) : DistanceOrPart(number, is_relative) {}
+  DistanceLimit(double number, bool is_relative) : DistanceOrFraction(number, is_relative) {}
 };
 
 /// A limit in both directions: no point of the result will be further from the input than the
@@ -94,8 +95,8 @@ private:
 /// ignored.
 ///
 /// One of DistanceLimit's roundings passes any limit here as well. A stop policy that asks this one
-/// has to say that it needs distance_back.
-class HausdorffLimit : public internal::DistanceOrPart {
+/// has to say that it needs reverse_distance.
+class HausdorffLimit : public internal::DistanceOrFraction {
 public:
   /// `distance` is in the mesh's units.
   explicit HausdorffLimit(double distance) : HausdorffLimit(distance, false) {}
@@ -103,13 +104,13 @@ public:
   /// The limit as a fraction of the diagonal of the bounding box.
   static HausdorffLimit relative(double fraction) { return HausdorffLimit(fraction, true); }
 
-  /// Looks at Status::next_distance and next_distance_back: see StopPolicy.
-  static constexpr Needs needs = {.distance_back = true};
+  /// Looks at Status::next_distance and next_reverse_distance: see StopPolicy.
+  static constexpr Needs needs = {.reverse_distance = true};
 
   /// Returns true once the next contraction would exceed the limit in either direction.
   bool operator()(const Status& status) const {
     const double limit = distance(status.diagonal);
-    return status.next_distance > limit || status.next_distance_back > limit;
+    return status.next_distance > limit || status.next_reverse_distance > limit;
   }
 
   /// Returns this limit multiplied by a factor.
@@ -119,7 +120,7 @@ public:
   void validate() const { require_distance("quadrille::HausdorffLimit"); }
 
 private:
-  HausdorffLimit(double number, bool is_relative) : DistanceOrPart(number, is_relative) {}
+  HausdorffLimit(double number, bool is_relative) : DistanceOrFraction(number, is_relative) {}
 };
 
 /// A limit in both directions that varies over the surface. Each face of the input has a tolerance,

@@ -45,9 +45,9 @@ struct ShortestEdge {
   double length; ///< at least 0
 
   /// Returns true once the next pair is longer than the limit. The queue keeps costs as floats, so
-  /// a pair may come before one that is shorter by less than a part in 2^24. A pair that is longer
-  /// than the limit by up to a part in 2^22 is therefore contracted, so that none is left below the
-  /// limit.
+  /// a pair may come before one that is shorter by less than a fraction of 2^-24. A pair that is
+  /// longer than the limit by up to a fraction of 2^-22 is therefore contracted, so that none is
+  /// left below the limit.
   bool operator()(const Status& status) const { return status.next_error > length * (1 + 0x1p-22); }
 
   /// Throws std::invalid_argument for a length that is negative or not a number.

@@ -4,14 +4,14 @@
 #include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/file_report.h>
+#include <quadrille/internal/file/chunk_limit.h>
+#include <quadrille/internal/file/chunk_runner.h>
+#include <quadrille/internal/file/chunked_job.h>
 #include <quadrille/internal/file/job_estimate.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/job_lock.h>
 #include <quadrille/internal/file/job_watch.h>
 #include <quadrille/internal/file/limit_search.h>
-#include <quadrille/internal/file/part_limit.h>
-#include <quadrille/internal/file/part_runner.h>
-#include <quadrille/internal/file/parted_job.h>
 #include <quadrille/internal/file/surface_source.h>
 #include <quadrille/internal/file/tile_split.h>
 #include <quadrille/placement.h>
@@ -47,19 +47,19 @@ namespace quadrille {
 /// PartitionedSimplifier<Quadric, OptimalPlacement> job("in.ply", FaceCount{1000000}, options);
 /// job.partition();
 /// do
-///   for (std::size_t part = 0; part < job.parts(); ++part)
-///     job.simplify(part); // in any order, by any process
+///   for (std::size_t chunk = 0; chunk < job.chunks(); ++chunk)
+///     job.simplify(chunk); // in any order, by any process
 /// while (job.close());
-/// FileReport report = job.sew("out.ply");
+/// FileReport report = job.merge("out.ply");
 /// ```
 ///
 /// A process that only runs chunks makes the same object and calls join(), which joins the current
 /// phase. Each step writes its files completely or not at all, and is skipped if they exist. So a
 /// job can be continued wherever it was stopped.
 ///
-/// partition(), close() and sew() drive the job; close() and sew() need all chunks to be
+/// partition(), close() and merge() drive the job; close() and merge() need all chunks to be
 /// simplified. The object that has called one of them owns a lock in the scratch folder until it is
-/// destroyed or sew() has ended: no other object of any process may drive the job meanwhile. The
+/// destroyed or merge() has ended: no other object of any process may drive the job meanwhile. The
 /// lock of a process that has ended is ignored.
 ///
 /// All functions throw std::runtime_error, with the name of the file, for a file that cannot be
@@ -115,7 +115,7 @@ public:
   /// partition() and close() sample some chunks to estimate the cost at which the chunks of the
   /// phase stop. A driver that distributes the sampling too calls cut() and regroup() instead of
   /// them. In each phase it then calls sample(i) for i < samples(), in any order, by any process,
-  /// and settle().
+  /// and resolve().
   void cut() {
     lock();
     if (job_.folder().phase_at_work() > 0 && !options_.restart)
@@ -148,10 +148,10 @@ public:
     internal::require_space(output, estimate().output, "the rest of the surface");
   }
 
-  /// Returns the number of samples to take in this phase: 0 if it needs none, or if settle() was
+  /// Returns the number of samples to take in this phase: 0 if it needs none, or if resolve() was
   /// called.
   std::size_t samples() const {
-    return job_.plan().is_settled ? 0 : internal::LimitSearch(job_).size();
+    return job_.plan().is_resolved ? 0 : internal::LimitSearch(job_).size();
   }
   /// Takes a sample. Returns false, without having done anything, if `is_cancelled`, which is
   /// called from time to time, returns true.
@@ -165,10 +165,10 @@ public:
   }
   /// Computes the cost limit of the phase once all samples are taken. Throws std::logic_error if
   /// some are missing.
-  void settle() {
+  void resolve() {
     lock();
-    if (!job_.plan().is_settled)
-      job_.settle(internal::LimitSearch(job_).limit());
+    if (!job_.plan().is_resolved)
+      job_.resolve(internal::LimitSearch(job_).limit());
   }
 
   /// Joins the current phase, to simplify chunks of it.
@@ -180,9 +180,9 @@ public:
   /// the current phase, from 1 on
   unsigned phase() const { return job_.plan().phase; }
   /// the number of chunks of this phase
-  std::size_t parts() const { return job_.plan().parts.size(); }
+  std::size_t chunks() const { return job_.plan().chunks.size(); }
   /// the number of chunks that fit into memory at a time, as requested
-  unsigned parts_in_flight() const { return job_.budget().in_flight(); }
+  unsigned chunks_in_flight() const { return job_.budget().in_flight(); }
   /// Returns a folder in which a driver may have its own files; it is removed at the end of the
   /// phase.
   std::filesystem::path phase_folder() const { return job_.folder().phase(phase()); }
@@ -191,32 +191,32 @@ public:
   /// time. Returns false, without having done anything, if `is_cancelled`, which is called from
   /// time to time, returns true.
   template <class IsCancelled>
-  bool simplify(std::size_t part, const IsCancelled& is_cancelled) const {
-    if (!job_.plan().is_settled)
+  bool simplify(std::size_t chunk, const IsCancelled& is_cancelled) const {
+    if (!job_.plan().is_resolved)
       throw std::logic_error("quadrille::PartitionedSimplifier: phase " + std::to_string(phase()) +
                              " is not resolved");
-    return job_.is_done(part) || runner_.simplify(job_, part, is_cancelled);
+    return job_.is_done(chunk) || runner_.simplify(job_, chunk, is_cancelled);
   }
   /// Simplifies a chunk and cannot be cancelled.
-  void simplify(std::size_t part) const {
-    simplify(part, [] { return false; });
+  void simplify(std::size_t chunk) const {
+    simplify(chunk, [] { return false; });
   }
 
   /// Reports to OutOfCore::proceed how many chunks, or samples, of the phase are done; returns
   /// false if the job should end.
   bool proceeds(std::size_t done) const {
     try {
-      const bool is_settled = job_.plan().is_settled;
-      const std::size_t all = is_settled ? parts() : samples();
-      watch_.tell(job_, is_settled ? FileStage::simplify : FileStage::sample,
-                  static_cast<double>(done) / static_cast<double>(all), done, all);
+      const bool is_resolved = job_.plan().is_resolved;
+      const std::size_t all = is_resolved ? chunks() : samples();
+      watch_.report(job_, is_resolved ? FileStage::simplify : FileStage::sample,
+                    static_cast<double>(done) / static_cast<double>(all), done, all);
       return true;
     } catch (const internal::JobCancelled&) {
       return false;
     }
   }
 
-  /// Ends the phase and begins the next one. Returns false if it was the last one and sew() can
+  /// Ends the phase and begins the next one. Returns false if it was the last one and merge() can
   /// write the result. Throws std::logic_error if some chunks are missing.
   bool close() {
     const bool goes_on = regroup();
@@ -227,21 +227,21 @@ public:
   /// Does the same as close(), but does not prepare the next phase: see cut().
   bool regroup() {
     lock();
-    watch_.tell(job_, FileStage::regroup, 0);
-    return job_.end_phase(internal::PieceOfPart<Cost>::add_state());
+    watch_.report(job_, FileStage::regroup, 0);
+    return job_.end_phase(internal::ChunkConversion<Cost>::add_state());
   }
 
   /// Writes the result to a binary PLY file, with floats or doubles as in the input, and empties
   /// the scratch folder. The file is written completely or not at all.
-  FileReport sew(const std::filesystem::path& output) {
+  FileReport merge(const std::filesystem::path& output) {
     lock();
-    watch_.tell(job_, FileStage::sew, 0);
+    watch_.report(job_, FileStage::merge, 0);
     FileReport report = this->report();
     job_.add_last_phase(report);
     if (options_.keeps_tiles)
-      sew_tiles(output, report);
+      merge_tiles(output, report);
     else
-      job_.sew(output, report);
+      job_.merge(output, report);
     remove_job();
     report.peak_memory = internal::MemoryBudget::peak();
     return report;
@@ -255,12 +255,12 @@ public:
     try {
       partition();
       do
-        watch_.run(job_, FileStage::simplify, parts(), [&](std::size_t part, const auto& ask) {
-          if (!simplify(part, ask))
+        watch_.run(job_, FileStage::simplify, chunks(), [&](std::size_t chunk, const auto& ask) {
+          if (!simplify(chunk, ask))
             throw internal::JobCancelled();
         });
       while (close());
-      FileReport report = sew(output);
+      FileReport report = merge(output);
       report.seconds.contract =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       return report;
@@ -272,16 +272,16 @@ public:
   }
 
 private:
-  internal::PartedJob made_job(const internal::FileTarget& target) const {
+  internal::ChunkedJob made_job(const internal::FileTarget& target) const {
     const internal::VertexScalars scalars = source_.scalars();
-    const internal::MemoryBudget budget(options_, internal::PieceOfPart<Cost>::state_size,
+    const internal::MemoryBudget budget(options_, internal::ChunkConversion<Cost>::state_size,
                                         scalars.size(), target.is_limited());
     internal::JobKey key;
     key.add_number(source_.key());
     key.add_number(options_.attribute_importance);
-    target.tell(key);
-    runner_.tell(key);
-    budget.tell(key);
+    target.add_to(key);
+    runner_.add_to(key);
+    budget.add_to(key);
     return {options_.scratch,
             budget,
             target,
@@ -289,7 +289,7 @@ private:
             options_.attribute_importance,
             key.value(),
             internal::JobEstimate::of(source_.size(), target, budget,
-                                      internal::PieceOfPart<Cost>::state_size)};
+                                      internal::ChunkConversion<Cost>::state_size)};
   }
 
   void lock() {
@@ -302,23 +302,25 @@ private:
     lock_.reset();
   }
 
-  void sew_tiles(const std::filesystem::path& output, FileReport& report) const {
+  void merge_tiles(const std::filesystem::path& output, FileReport& report) const {
     const std::vector<std::filesystem::path> tiles = source_.tiles_in(output);
     const std::filesystem::path whole = job_.folder().welded(0);
     std::filesystem::create_directories(output);
-    job_.sew(whole, report);
+    job_.merge(whole, report);
     report.bytes_written +=
         internal::TileSplit::run(whole, tiles, job_.folder().welding(), options_.memory / 8);
   }
 
   void cut_file() {
-    const auto tell = [&](FileStage stage, double part) { watch_.tell(job_, stage, part); };
+    const auto notify = [&](FileStage stage, double fraction) {
+      watch_.report(job_, stage, fraction);
+    };
     const std::uint64_t made = source_.is_made(job_.folder()) ? source_.size().made : 0;
     internal::require_space(options_.scratch, estimate().scratch - made, "the job");
-    const auto ask = [&] { tell(FileStage::weld, 0); };
+    const auto ask = [&] { notify(FileStage::weld, 0); };
     if (source_.size().making > 0)
       ask();
-    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2, ask), tell);
+    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2, ask), notify);
   }
 
   void find_limit() {
@@ -326,7 +328,7 @@ private:
       if (!sample(i, ask))
         throw internal::JobCancelled();
     });
-    settle();
+    resolve();
   }
 
   FileReport report() const {
@@ -337,9 +339,9 @@ private:
 
   OutOfCore options_;
   internal::SurfaceSource source_;
-  internal::PartRunner<Cost, Placement, Policies...> runner_;
+  internal::ChunkRunner<Cost, Placement, Policies...> runner_;
   internal::JobWatch watch_;
-  internal::PartedJob job_;
+  internal::ChunkedJob job_;
   std::optional<internal::JobLock> lock_; // while this object drives the job
 };
 
@@ -367,7 +369,7 @@ private:
 ///   This takes 12 more bytes per face on disk
 /// - policies: further arguments of `simplify`, which are passed on for each chunk
 ///
-/// The result depends on OutOfCore::memory (or part_faces), but neither on the number of chunks in
+/// The result depends on OutOfCore::memory (or chunk_faces), but neither on the number of chunks in
 /// flight nor on interruptions. Topology is kept as `simplify` keeps it. Other contents of the
 /// file, lists and further elements, are rejected unless OutOfCore::positions_only is set.
 ///

@@ -12,12 +12,12 @@
 
 #include <quadrille/distance.h>
 #include <quadrille/file_report.h>
+#include <quadrille/internal/file/chunked_distance.h>
+#include <quadrille/internal/file/chunked_nearest.h>
+#include <quadrille/internal/file/chunked_surface.h>
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/job_lock.h>
 #include <quadrille/internal/file/job_watch.h>
-#include <quadrille/internal/file/parted_distance.h>
-#include <quadrille/internal/file/parted_nearest.h>
-#include <quadrille/internal/file/parted_surface.h>
 #include <quadrille/internal/file/surface_source.h>
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/distance_findings.h>
@@ -82,7 +82,7 @@ public:
 
   Verdict verdict(const Claims& claims) const {
     Verdict verdict;
-    CheckProgress progress = told_progress(claims.distance_both_ways ? 2 : 1);
+    CheckProgress progress = reported_progress(claims.distance_both_ways ? 2 : 1);
     DistanceFindings::look(claims, apart(DistanceFindings::least(claims), progress), progress,
                            verdict);
     return verdict;
@@ -91,7 +91,7 @@ public:
   /// Verifies the tolerances.
   Verdict verdict_of_tolerances() const {
     Verdict verdict;
-    CheckProgress progress = told_progress(2);
+    CheckProgress progress = reported_progress(2);
     DistanceFindings::look_at_tolerances(apart(frame_.from(a_.least_allowance()), progress),
                                          progress, verdict);
     return verdict;
@@ -103,31 +103,32 @@ private:
   static constexpr std::uint64_t base = 64'000'000, bytes_of_face = 1000;
   std::size_t most_faces() const {
     const std::uint64_t fit = ((std::max)(options_.memory, base) - base) / bytes_of_face;
-    return static_cast<std::size_t>(options_.part_faces > 0 ? options_.part_faces
-                                                            : std::max<std::uint64_t>(fit, 10'000));
+    return static_cast<std::size_t>(
+        options_.chunk_faces > 0 ? options_.chunk_faces : std::max<std::uint64_t>(fit, 10'000));
   }
 
-  CheckProgress told_progress(std::size_t stages) const {
-    return {[&](double part) { return tell(0.2 + 0.8 * part), true; }, stages};
+  CheckProgress reported_progress(std::size_t stages) const {
+    return {[&](double fraction) { return notify(0.2 + 0.8 * fraction), true; }, stages};
   }
-  PartedDistance apart(double expected, CheckProgress& progress) const {
+  ChunkedDistance apart(double expected, CheckProgress& progress) const {
     return {a_, b_, frame_, diagonal(box_), expected, most_faces(), progress};
   }
 
-  PartedSurface cut(unsigned number, const SurfaceFiles& files, const std::string& tolerance,
-                    double begin) const {
+  ChunkedSurface cut(unsigned number, const SurfaceFiles& files, const std::string& tolerance,
+                     double begin) const {
     SurfaceSource source = SurfaceSource::shape_of(files.paths, tolerance);
     const std::optional<std::size_t> place = source.scalars().tolerance();
     const PlyInput& input =
-        source.surface(folder_.folder(), options_.memory / 2, [&] { tell(begin); });
-    PartedSurface surface(folder_.folder(), number, input, place, most_faces(),
-                          options_.memory / 16, [&](double part) { tell(begin + 0.1 * part); });
+        source.surface(folder_.folder(), options_.memory / 2, [&] { notify(begin); });
+    ChunkedSurface surface(folder_.folder(), number, input, place, most_faces(),
+                           options_.memory / 16,
+                           [&](double fraction) { notify(begin + 0.1 * fraction); });
     folder_.folder().remove_welded();
     return surface;
   }
 
   // Measures the one-sided distance, as one_sided_distance() does in memory.
-  OneSidedDistance one_sided(const PartedSurface& from, const PartedSurface& to,
+  OneSidedDistance one_sided(const ChunkedSurface& from, const ChunkedSurface& to,
                              const DistanceSampling& sampling, double begin) const {
     std::optional<StripSampling> strips;
     if (from.area() > 0 && sampling.samples > 0)
@@ -139,7 +140,7 @@ private:
       const std::size_t samples = add_points(from, p, strips, points);
       const double done = begin + 0.4 * static_cast<double>(p) / static_cast<double>(from.size());
       const std::vector<double> squares =
-          PartedNearest(to, points).squared_distances([&] { tell(done); });
+          ChunkedNearest(to, points).squared_distances([&] { notify(done); });
       for (std::size_t i = 0; i < squares.size(); ++i) {
         sum += i < samples ? squares[i] : 0;
         largest = (std::max)(largest, squares[i]);
@@ -150,32 +151,32 @@ private:
   }
 
   // Returns how many of the points are samples, which come first.
-  static std::size_t add_points(const PartedSurface& from, std::size_t p,
+  static std::size_t add_points(const ChunkedSurface& from, std::size_t p,
                                 std::optional<StripSampling>& strips,
                                 std::vector<DistancePoint>& points) {
-    const DistanceSurface part = from.part(p);
+    const DistanceSurface chunk = from.chunk(p);
     if (strips) {
-      for (const DistanceTriangle& face : part.triangles)
+      for (const DistanceTriangle& face : chunk.triangles)
         strips->take(face, points);
       if (p + 1 == from.size())
         strips->end(points);
     }
     const std::size_t samples = points.size();
-    points.insert(points.end(), part.vertices.begin(), part.vertices.end());
+    points.insert(points.end(), chunk.vertices.begin(), chunk.vertices.end());
     return strips ? samples : points.size();
   }
 
-  void tell(double part) const {
+  void notify(double fraction) const {
     FileStatus status;
     status.stage = FileStage::check;
-    status.progress = part;
+    status.progress = fraction;
     if (options_.proceed && !options_.proceed(status))
       throw JobCancelled();
   }
 
   const OutOfCore& options_;
   FolderOfCheck folder_;
-  PartedSurface a_, b_;
+  ChunkedSurface a_, b_;
   CGAL::Bbox_3 box_;
   DistanceFrame frame_;
 };
@@ -189,7 +190,7 @@ private:
 /// `options.scratch`, in a folder of their own that is removed at the end, with about 30 bytes for
 /// each face of both. A chunk is measured against the chunks of the other surface near it, one at a
 /// time, so that the limit `options.memory` is kept. The only other options that apply are
-/// `part_faces` and `proceed`, which receives FileStage::check and the progress.
+/// `chunk_faces` and `proceed`, which receives FileStage::check and the progress.
 ///
 /// Complexity: O((n + s) log n) for n faces and s samples, if the two surfaces are close to each
 /// other. Throws std::runtime_error with the name of the file for a file that cannot be read or has

@@ -21,17 +21,17 @@ enum class FileStage {
              ///< or joins tiles into one surface
   survey,    ///< reads the file, before anything else is written
   partition, ///< cuts it into chunks
-  sample,    ///< simplifies pieces of chunks, to estimate the cost limit of a phase
+  sample,    ///< simplifies samples of chunks, to estimate the cost limit of a phase
   simplify,  ///< simplifies the chunks
   regroup,   ///< cuts the result into other chunks
-  sew,       ///< writes the result
+  merge,     ///< writes the result
   check      ///< compares surfaces, in file_distance or verify_files
 };
 
 /// Returns the name of a stage.
 constexpr std::string_view to_string(FileStage stage) {
   constexpr std::string_view names[] = {"weld",     "survey",  "partition", "sample",
-                                        "simplify", "regroup", "sew",       "check"};
+                                        "simplify", "regroup", "merge",     "check"};
   return names[static_cast<std::size_t>(stage)];
 }
 
@@ -50,8 +50,8 @@ struct FileStatus {
   FileStage stage = FileStage::survey; ///< the current stage
   unsigned phase = 0;                  ///< from 1 on; 0 while the file is cut
   unsigned phases = 0;                 ///< the estimated number of phases
-  std::size_t parts = 0;               ///< the number of chunks of the phase
-  std::size_t parts_done = 0;          ///< the number of chunks that are done
+  std::size_t chunks = 0;              ///< the number of chunks of the phase
+  std::size_t chunks_done = 0;         ///< the number of chunks that are done
   std::uint64_t faces = 0;             ///< of the input
   double progress = 0;                 ///< the estimated fraction of the whole work that is done,
                                        ///< from 0 to 1
@@ -83,12 +83,12 @@ struct OutOfCore {
   std::uint64_t memory = 4'000'000'000;
   /// The number of chunks that are simplified at a time; 0: one for each processor. It is reduced
   /// to what fits into memory. The result does not depend on it.
-  unsigned parts_in_flight = 0;
+  unsigned chunks_in_flight = 0;
   /// Resumes the job in the scratch folder. Otherwise a folder with a job is rejected.
   bool restart = false;
   /// The approximate number of faces of a chunk; 0: as many as fit into memory, but at most
   /// 4,000,000. The result depends on it.
-  std::uint64_t part_faces = 0;
+  std::uint64_t chunk_faces = 0;
   /// The greatest number of faces with which the last phase may begin, which simplifies the whole
   /// surface to the target; 0: as many as fit into memory. The result depends on it.
   std::uint64_t whole_faces = 0;
@@ -124,7 +124,7 @@ struct OutOfCore {
 struct FileReport : Report {
   unsigned phases = 0;                        ///< the number of phases in which chunks were
                                               ///< simplified
-  std::size_t parts = 0;                      ///< the number of chunks of the first phase
+  std::size_t chunks = 0;                     ///< the number of chunks of the first phase
   std::vector<std::uint64_t> faces_of_phases; ///< the faces left by each phase
   bool is_count_exact = false;       ///< the target is met exactly, or as nearly as faces allow
   std::uint64_t bytes_read = 0;      ///< approximate bytes read from files
@@ -146,7 +146,7 @@ struct FileReport : Report {
 
 /// Prints a report in one line, without an end of line.
 inline std::ostream& operator<<(std::ostream& out, const FileReport& report) {
-  out << static_cast<const Report&>(report) << "; " << report.phases << " phases, " << report.parts
+  out << static_cast<const Report&>(report) << "; " << report.phases << " phases, " << report.chunks
       << " parts, " << report.bytes_read << " bytes read, " << report.bytes_written
       << " written, at most " << report.peak_memory << " bytes of memory";
   return out;

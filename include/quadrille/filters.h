@@ -18,7 +18,7 @@
 namespace quadrille {
 
 /// Decides whether a face may fold over its neighbours, like the middle of a letter Z.
-enum class Folds { refused, allowed };
+enum class FoldOvers { rejected, allowed };
 
 /// Rejects a contraction that turns the normal of a face by `degrees` or more (the test of the 1997
 /// paper, section 6). Several contractions that each turn a face by less can still fold it over its
@@ -40,9 +40,9 @@ public:
   static constexpr Rejection cause = Rejection::normal_flip; ///< counts its rejections
 
   /// degrees lies in (0, 180]; throws std::invalid_argument otherwise.
-  explicit NormalFlip(double degrees = 90, Folds folds = Folds::refused)
+  explicit NormalFlip(double degrees = 90, FoldOvers folds = FoldOvers::rejected)
       : cosine_(degrees == 90 ? 0 : std::cos(degrees * std::numbers::pi / 180)),
-        allows_everything_(degrees == 180), allows_folds_(folds == Folds::allowed) {
+        allows_everything_(degrees == 180), allows_fold_overs_(folds == FoldOvers::allowed) {
     if (!(degrees > 0 && degrees <= 180))
       throw std::invalid_argument("quadrille::NormalFlip: " + internal::text_of(degrees) +
                                   " degrees are not in (0, 180]");
@@ -52,7 +52,7 @@ public:
   bool allows(const auto& contraction) const {
     if (allows_everything_)
       return true;
-    bool may_fold = false;
+    bool may_fold_over = false;
     for (const auto& face : contraction.faces()) {
       const Vector<3> before = double_area_vector(face.before, face.second, face.third);
       const Vector<3> after = double_area_vector(face.after, face.second, face.third);
@@ -62,13 +62,13 @@ public:
       if (turns_too_far(product, squared_lengths) &&
           has_normal(face.before, face.second, face.third))
         return false;
-      if (Shape(squared_after, face.after, face).is_needle() &&
-          !Shape(squared_length(before), face.before, face).is_needle() &&
+      if (Shape(squared_after, face.after, face).is_sliver() &&
+          !Shape(squared_length(before), face.before, face).is_sliver() &&
           !stays_in_narrow_wall(contraction)) [[unlikely]]
         return false;
-      may_fold |= product * product < squared_cosine_of_20_degrees * squared_lengths;
+      may_fold_over |= product * product < squared_cosine_of_20_degrees * squared_lengths;
     }
-    return allows_folds_ || !may_fold || !contraction.makes_fold();
+    return allows_fold_overs_ || !may_fold_over || !contraction.makes_fold_over();
   }
 
 private:
@@ -88,7 +88,7 @@ private:
         : Shape(squared_length(double_area_vector(p, face.second, face.third)), p, face) {}
 
     // Twice the area is the height times the longest edge.
-    bool is_needle() const {
+    bool is_sliver() const {
       return squared_area < 4 * least_height * least_height * edges * edges;
     }
     // Returns the square of the height over the longest edge, up to a factor of 4.
@@ -104,9 +104,9 @@ private:
       squared_least = (std::min)(squared_least, Shape(face.before, face).squared_height());
     for (const auto& face : contraction.faces()) {
       const Shape before(face.before, face), after(face.after, face);
-      if (after.is_needle() && !before.is_needle() &&
+      if (after.is_sliver() && !before.is_sliver() &&
           (after.squared_area < least_area * least_area * before.squared_area ||
-           after.squared_height() < least_part * least_part * squared_least))
+           after.squared_height() < least_fraction * least_fraction * squared_least))
         return false;
     }
     return true;
@@ -120,11 +120,11 @@ private:
   static constexpr double least_height = 1e-4; // height of a face, relative to its longest edge
   static constexpr double least_area = 0.25;   // area of a sliver in a narrow wall, relative to its
                                                // former area
-  static constexpr double least_part = 0.01;   // its height, relative to the lowest of the faces
-                                               // around
+  static constexpr double least_fraction = 0.01; // its height, relative to the lowest of the faces
+                                                 // around
 
   double cosine_;
-  bool allows_everything_, allows_folds_;
+  bool allows_everything_, allows_fold_overs_;
 };
 
 /// Rejects a contraction after which a face has an angle below `degrees`, unless this angle is at
@@ -258,9 +258,9 @@ public:
   bool allows(const auto& contraction) const {
     for (const auto& face : contraction.faces()) {
       const Outline before(face.before, face, up_), after(face.after, face, up_);
-      if (before.is_front()  ? !after.is_front()
-          : before.is_back() ? !after.is_back()
-                             : after.shows_more_of_back_than(before))
+      if (before.faces_viewer() ? !after.faces_viewer()
+          : before.faces_away() ? !after.faces_away()
+                                : after.is_turned_further_away_than(before))
         return false;
     }
     return true;
@@ -282,9 +282,9 @@ private:
           rounding(0x1p-50 * std::sqrt(edges * (squared_length(p) + squared_length(face.second) +
                                                 squared_length(face.third)))) {}
 
-    bool is_front() const { return area > least_area * edges; }
-    bool is_back() const { return area < -least_area * edges; }
-    bool shows_more_of_back_than(const Outline& other) const {
+    bool faces_viewer() const { return area > least_area * edges; }
+    bool faces_away() const { return area < -least_area * edges; }
+    bool is_turned_further_away_than(const Outline& other) const {
       const double least = other.area < 0 ? other.area / other.edges * edges : 0;
       return area < least - rounding;
     }

@@ -95,7 +95,7 @@ using GuardStateOf =
 /// - `G::cause`: the Rejection that counts its rejections; without it Rejection::filter.
 /// - `G::works_in_passes`, true: several threads may call the state concurrently, for contractions
 ///   that have no face in common. Without it the guard works with GreedyOrder only.
-/// - `G::works_in_parts`, true: a property that holds in each chunk of a file, where every phase
+/// - `G::works_in_chunks`, true: a property that holds in each chunk of a file, where every phase
 ///   begins again, holds for the whole file. Without it `simplify_file` does not accept the guard.
 /// - `G::has_obstacles`, true: its rejections depend on more than the faces around the pair. The
 ///   ends of the pair are then tried as targets as well, and rejected pairs are tried again when no

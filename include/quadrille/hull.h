@@ -94,7 +94,7 @@ template <Side side>
 class Hull {
 public:
   using ScaleFree = Hull;                             ///< scale-invariant
-  using Guess = OptimalPlacement;                     ///< orders pairs until they are contracted
+  using Estimate = OptimalPlacement;                  ///< orders pairs until they are contracted
   static constexpr bool looks_at_star = true;         ///< the faces around the pair decide the
                                                       ///< position
   static constexpr bool asks_for_volume = true;       ///< Report contains the volume
@@ -109,11 +109,11 @@ public:
   }
 
   /// The typical cost with this placement is 1.5 to 5 times the cost with OptimalPlacement.
-  static constexpr double rise_of_guess = 1.5;
+  static constexpr double rise_of_estimate = 1.5;
 
   /// Returns the position of least cost, up to rounding.
   template <class Cost, class Pair, class Star>
-  std::optional<Vector<3>> settle(const Cost&, const Pair& pair, const Star& star) const {
+  std::optional<Vector<3>> resolve(const Cost&, const Pair& pair, const Star& star) const {
     const Planes<Pair, Star> planes(pair, star);
     const std::optional<Vector<3>> x = planes.least_of_all();
     return x ? x : planes.least_within(planes.rounding());
@@ -169,7 +169,7 @@ private:
         add(p, q, r);
         size = (std::max)({size, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
       });
-      rounding_ = 0x1p-45 * std::sqrt(pair.squared_reach) + 8 * star.rounding(size);
+      rounding_ = 0x1p-45 * std::sqrt(pair.squared_ring_radius) + 8 * star.rounding(size);
     }
 
     // Returns a distance above the rounding errors, and usually above what a predicate in doubles
@@ -186,7 +186,7 @@ private:
           return std::nullopt;
       const Vector<3> x = pair_.first + *least_;
       for (const Vector<3>& end : {pair_.first, pair_.second})
-        if (squared_distance(end, x) <= 0x1p-60 * pair_.squared_reach)
+        if (squared_distance(end, x) <= 0x1p-60 * pair_.squared_ring_radius)
           return end;
       return written(x);
     }
@@ -231,7 +231,7 @@ private:
     std::optional<Vector<3>> written(const Vector<3>& position) const {
       const Vector<3> x = star_.as_written(position);
       if ((std::min)(squared_distance(x, pair_.first), squared_distance(x, pair_.second)) <=
-          pair_.squared_reach)
+          pair_.squared_ring_radius)
         return x;
       return std::nullopt;
     }

@@ -119,18 +119,19 @@ inline Level in_input_order(const Level& level) {
 /// vertex i, in ascending order.
 class LevelMembers {
 public:
-  /// Inverts the result of Levels::images for a level with this number of vertices, in linear time.
-  LevelMembers(const std::vector<std::uint32_t>& images, std::size_t vertices)
+  /// Inverts the result of Levels::vertex_map for a level with this number of vertices, in linear
+  /// time.
+  LevelMembers(const std::vector<std::uint32_t>& vertex_map, std::size_t vertices)
       : begin_(vertices + 1, 0) {
-    for (std::uint32_t image : images)
-      if (image != not_recorded)
-        ++begin_[image + 1];
+    for (std::uint32_t vertex : vertex_map)
+      if (vertex != not_recorded)
+        ++begin_[vertex + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     members_.resize(begin_.back());
     std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t v = 0; v < images.size(); ++v)
-      if (images[v] != not_recorded)
-        members_[end[images[v]]++] = v;
+    for (std::uint32_t v = 0; v < vertex_map.size(); ++v)
+      if (vertex_map[v] != not_recorded)
+        members_[end[vertex_map[v]]++] = v;
   }
   std::size_t size() const { return begin_.size() - 1; } ///< the number of vertices of the level
   /// Returns the vertices of the input, by number, that have become vertex i.
@@ -295,14 +296,14 @@ public:
 
   /// Returns, for each vertex of the input, its vertex at a level; not_recorded if it has vanished.
   /// It takes time linear in the size of the input.
-  std::vector<std::uint32_t> images(const LevelInfo& level) const;
-  /// Returns the inverse of images().
-  LevelMembers members(const LevelInfo& level) const { return {images(level), level.vertices}; }
+  std::vector<std::uint32_t> vertex_map(const LevelInfo& level) const;
+  /// Returns the inverse of vertex_map().
+  LevelMembers members(const LevelInfo& level) const { return {vertex_map(level), level.vertices}; }
 
   /// Returns, for each vertex of a level, its vertex at a coarser one; not_recorded if it has
-  /// vanished. To morph the level into the coarser one, move each point to that of its image (a
-  /// geomorph). It takes time linear in the size of the finer level.
-  std::vector<std::uint32_t> images(const LevelInfo& fine, const LevelInfo& coarse) const;
+  /// vanished. To morph the level into the coarser one, move each point to that of its vertex there
+  /// (a geomorph). It takes time linear in the size of the finer level.
+  std::vector<std::uint32_t> vertex_map(const LevelInfo& fine, const LevelInfo& coarse) const;
 
   // The events of a recorder: see record.h.
   void begin(RecordedSurface surface); ///< called by `simplify`: see ContractionRecorder
@@ -463,7 +464,7 @@ LevelInfo Levels::extract(const Stop& stop, Points& points, Triangles& triangles
     points[v] = point(track.values.data() + v * track.width);
   track.for_each_change(place.contractions,
                         [&](Index item, const double* numbers) { points[item] = point(numbers); });
-  const std::vector<Index> images = track.images(place.contractions);
+  const std::vector<Index> vertex_map = track.item_map(place.contractions);
   using Triangle = std::ranges::range_value_t<Triangles>;
   using Number = std::ranges::range_value_t<Triangle>;
   triangles.resize(level.faces);
@@ -472,28 +473,29 @@ LevelInfo Levels::extract(const Stop& stop, Points& points, Triangles& triangles
     if constexpr (requires { triangle.resize(3); })
       triangle.resize(3);
     for (std::size_t i = 0; i < 3; ++i)
-      triangle[i] = static_cast<Number>(images[track.corners[face][i]]);
+      triangle[i] = static_cast<Number>(vertex_map[track.corners[face][i]]);
   }
   return level;
 }
 
-inline std::vector<std::uint32_t> Levels::images(const LevelInfo& fine,
-                                                 const LevelInfo& coarse) const {
+inline std::vector<std::uint32_t> Levels::vertex_map(const LevelInfo& fine,
+                                                     const LevelInfo& coarse) const {
   require_any();
-  std::vector<std::uint32_t> images(fine.vertices);
+  std::vector<std::uint32_t> vertex_map(fine.vertices);
   const auto left = (std::min)(coarse.vertices, fine.vertices);
-  std::iota(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(left), std::uint32_t{0});
+  std::iota(vertex_map.begin(), vertex_map.begin() + static_cast<std::ptrdiff_t>(left),
+            std::uint32_t{0});
   for (auto segment = segments_.rbegin(); segment != segments_.rend(); ++segment)
-    segment->tracks.front().find_images(left, fine.vertices, images);
-  return images;
+    segment->tracks.front().find_map(left, fine.vertices, vertex_map);
+  return vertex_map;
 }
 
-inline std::vector<std::uint32_t> Levels::images(const LevelInfo& level) const {
-  const std::vector<std::uint32_t> by_number = images(finest(), level);
-  std::vector<std::uint32_t> images(input_vertex_count_, not_recorded);
+inline std::vector<std::uint32_t> Levels::vertex_map(const LevelInfo& level) const {
+  const std::vector<std::uint32_t> by_number = vertex_map(finest(), level);
+  std::vector<std::uint32_t> vertex_map(input_vertex_count_, not_recorded);
   for (std::size_t v = 0; v < by_number.size(); ++v)
-    images[input_vertices_[v]] = by_number[v];
-  return images;
+    vertex_map[input_vertices_[v]] = by_number[v];
+  return vertex_map;
 }
 
 } // namespace quadrille

@@ -77,17 +77,17 @@ public:
   /// Does the same as Levels::at.
   template <class Stop>
   Level at(const Stop& stop) {
-    return part(stop, true).at(stop);
+    return loaded(stop, true).at(stop);
   }
   /// Does the same as Levels::info.
   template <class Stop>
   LevelInfo info(const Stop& stop) {
-    return part(stop, false).info(stop);
+    return loaded(stop, false).info(stop);
   }
   /// Does the same as Levels::extract.
   template <class Stop, class Points, class Triangles>
   LevelInfo extract(const Stop& stop, Points& points, Triangles& triangles) {
-    return part(stop, false).extract(stop, points, triangles);
+    return loaded(stop, false).extract(stop, points, triangles);
   }
 
   /// Reads all levels.
@@ -112,19 +112,19 @@ private:
     file_.open(path_, std::ios::binary);
     if (error || !file_)
       throw std::runtime_error("it cannot be opened");
-    internal::Bytes front(internal::LevelDirectory::bytes_before);
-    file_.read(reinterpret_cast<char*>(front.data()), static_cast<std::streamsize>(front.size()));
+    internal::Bytes header(internal::LevelDirectory::bytes_before);
+    file_.read(reinterpret_cast<char*>(header.data()), static_cast<std::streamsize>(header.size()));
     if (!file_ || !std::equal(internal::LevelDirectory::magic.begin(),
-                              internal::LevelDirectory::magic.end(), front.begin()))
+                              internal::LevelDirectory::magic.end(), header.begin()))
       throw std::runtime_error("its first bytes are wrong");
     internal::ByteReader reader(
-        std::span<const unsigned char>(front).subspan(internal::LevelDirectory::magic.size()));
+        std::span<const unsigned char>(header).subspan(internal::LevelDirectory::magic.size()));
     if (const auto version = reader.get<std::uint32_t>();
         version != internal::LevelDirectory::version)
       throw std::runtime_error("its version is " + std::to_string(version) +
                                ", and this library reads " +
                                std::to_string(internal::LevelDirectory::version));
-    internal::FileBlock block{front.size(), reader.get<std::uint64_t>(), 0, 0, 0};
+    internal::FileBlock block{header.size(), reader.get<std::uint64_t>(), 0, 0, 0};
     block.raw = block.stored;
     block.checksum = reader.get<std::uint32_t>();
     directory_ = internal::LevelDirectory::read(block.read(file_, size_));
@@ -165,20 +165,20 @@ private:
 
   // Returns Levels with only the segment of a level. The last segment that was read is cached.
   template <class Stop>
-  const Levels& part(const Stop& stop, bool with_inputs) {
+  const Levels& loaded(const Stop& stop, bool with_inputs) {
     const std::size_t segment = segment_of(stop);
     return checked([&]() -> const Levels& {
-      if (part_.empty() || segment != part_segment_) {
-        Levels part = empty_levels();
-        part.segments_.push_back(read_segment(segment));
-        part.begins_ = {static_cast<std::size_t>(directory_.stages[segment].contractions),
-                        static_cast<std::size_t>(directory_.stages[segment + 1].contractions)};
-        part_ = std::move(part);
-        part_segment_ = segment;
+      if (loaded_.empty() || segment != loaded_segment_) {
+        Levels loaded = empty_levels();
+        loaded.segments_.push_back(read_segment(segment));
+        loaded.begins_ = {static_cast<std::size_t>(directory_.stages[segment].contractions),
+                          static_cast<std::size_t>(directory_.stages[segment + 1].contractions)};
+        loaded_ = std::move(loaded);
+        loaded_segment_ = segment;
       }
-      if (with_inputs && part_.input_faces_.empty())
-        read_inputs(segment, part_);
-      return part_;
+      if (with_inputs && loaded_.input_faces_.empty())
+        read_inputs(segment, loaded_);
+      return loaded_;
     });
   }
 
@@ -213,8 +213,8 @@ private:
       const internal::Bytes bytes = directory_.inputs[s].read(file_, size_);
       internal::ByteReader reader(bytes);
       for (auto* inputs : {&levels.input_faces_, &levels.input_vertices_}) {
-        const auto column = reader.get_column<internal::Index>(reader.get<std::uint32_t>());
-        inputs->insert(inputs->end(), column.begin(), column.end());
+        const auto array = reader.get_array<internal::Index>(reader.get<std::uint32_t>());
+        inputs->insert(inputs->end(), array.begin(), array.end());
       }
       if (levels.input_faces_.size() != directory_.stages[s].faces ||
           levels.input_vertices_.size() != directory_.stages[s].vertices)
@@ -229,8 +229,8 @@ private:
   std::ifstream file_;
   std::uint64_t size_ = 0;
   internal::LevelDirectory directory_;
-  Levels part_;
-  std::size_t part_segment_ = 0;
+  Levels loaded_;
+  std::size_t loaded_segment_ = 0;
 };
 
 /// Reads all levels of a file: see LevelsFile.
@@ -241,18 +241,18 @@ inline Levels read_levels(const std::filesystem::path& path) {
 inline void write_levels(const std::filesystem::path& path, const Levels& levels,
                          const LevelsFileOptions& options) {
   internal::LevelsFileWriter writer(levels, options);
-  std::filesystem::path part = path;
-  part += ".part";
+  std::filesystem::path unfinished = path;
+  unfinished += ".part";
   try {
-    std::ofstream file(part, std::ios::binary);
+    std::ofstream file(unfinished, std::ios::binary);
     writer.write(file);
     file.close();
     if (!file)
       throw std::runtime_error("it cannot be written");
-    std::filesystem::rename(part, path);
+    std::filesystem::rename(unfinished, path);
   } catch (const std::exception& e) {
     std::error_code ignored;
-    std::filesystem::remove(part, ignored);
+    std::filesystem::remove(unfinished, ignored);
     throw std::runtime_error(path.string() + ": " + e.what());
   }
 }

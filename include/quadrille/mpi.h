@@ -69,7 +69,7 @@ public:
     }
     const auto [failed, cancelled] = first_of({error != nullptr, is_cancelled});
     if (failed < size_)
-      tell_all(message, failed);
+      notify_all(message, failed);
     if (error)
       std::rethrow_exception(error);
     if (failed < size_)
@@ -145,7 +145,7 @@ private:
   }
 
   // Sends the text of one rank to all.
-  void tell_all(std::string& text, int from) const {
+  void notify_all(std::string& text, int from) const {
     int size = static_cast<int>(text.size());
     MPI_Bcast(&size, 1, MPI_INT, from, communicator_);
     text.resize(static_cast<std::size_t>(size));
@@ -162,7 +162,7 @@ inline std::array<std::int64_t, 8> numbers_of(const FileReport& report) {
   return {
       number(report.faces_before),   number(report.faces_after),   number(report.vertices_before),
       number(report.vertices_after), number(report.stop),          number(report.phases),
-      number(report.parts),          number(report.is_count_exact)};
+      number(report.chunks),         number(report.is_count_exact)};
 }
 inline void take_numbers(const std::array<std::int64_t, 8>& numbers, FileReport& report) {
   report.faces_before = static_cast<std::size_t>(numbers[0]);
@@ -171,7 +171,7 @@ inline void take_numbers(const std::array<std::int64_t, 8>& numbers, FileReport&
   report.vertices_after = static_cast<std::size_t>(numbers[3]);
   report.stop = static_cast<StopReason>(numbers[4]);
   report.phases = static_cast<unsigned>(numbers[5]);
-  report.parts = static_cast<std::size_t>(numbers[6]);
+  report.chunks = static_cast<std::size_t>(numbers[6]);
   report.is_count_exact = numbers[7] != 0;
 }
 
@@ -195,7 +195,7 @@ public:
         simplify_phase();
       while (ranks_.on_first([&] { return Flag{job_->regroup()}; })[0] != 0);
       take_numbers(ranks_.on_first([&] {
-        report = job_->sew(output);
+        report = job_->merge(output);
         return numbers_of(report);
       }),
                    report);
@@ -215,14 +215,14 @@ private:
     const auto is_cancelled = [this] { return this->is_cancelled(); };
     if (job_->samples() > 0) {
       share(job_->samples(), [&](std::size_t i) { return job_->sample(i, is_cancelled); });
-      ranks_.on_first([&] { return job_->settle(), Flag{}; });
+      ranks_.on_first([&] { return job_->resolve(), Flag{}; });
       take_up_on_others();
     }
-    share(job_->parts(), [&](std::size_t part) { return job_->simplify(part, is_cancelled); });
+    share(job_->chunks(), [&](std::size_t chunk) { return job_->simplify(chunk, is_cancelled); });
   }
 
   bool is_cancelled() {
-    const std::size_t all = job_->samples() > 0 ? job_->samples() : job_->parts();
+    const std::size_t all = job_->samples() > 0 ? job_->samples() : job_->chunks();
     return !job_->proceeds((std::min)(done_ * ranks_.size(), all));
   }
 
@@ -256,18 +256,18 @@ private:
 
 /// simplify_file over the ranks of a communicator: all of them call it with the same arguments.
 ///
-/// Each rank simplifies one part at a time, or takes samples of one, the next that is left, and
+/// Each rank simplifies one chunk at a time, or takes samples of one, the next that is left, and
 /// asks no other rank for it; the steps between, the cut of the file, the next phase, the result,
 /// are the first rank's.
-/// OutOfCore::memory is that of each rank, and parts_in_flight does not count. Surfaces go through
+/// OutOfCore::memory is that of each rank, and chunks_in_flight does not count. Surfaces go through
 /// the files of the scratch folder only, which all ranks must see, as they must see the input;
 /// messages hold a few integers. The result has the same bytes for any number of ranks, and those
 /// of simplify_file in one process.
 ///
-/// If a rank throws, all do, when the parts at work are done: the others a std::runtime_error with
-/// its number and what it said. If a rank is lost, MPI ends the job; with OutOfCore::restart the
-/// next one goes on. OutOfCore::proceed is asked on each rank, where there is one, and ends the job
-/// of all. Returns the report on the first rank; on others its faces, vertices, phases, parts,
+/// If a rank throws, all do, when the chunks in flight are done: the others a std::runtime_error
+/// with its number and what it said. If a rank is lost, MPI ends the job; with OutOfCore::restart
+/// the next one goes on. OutOfCore::proceed is asked on each rank, where there is one, and ends the
+/// job of all. Returns the report on the first rank; on others its faces, vertices, phases, chunks,
 /// `stop` and is_count_exact.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
 FileReport simplify_file(MPI_Comm communicator, const SurfaceFiles& input,

@@ -26,7 +26,7 @@ namespace quadrille {
 /// bounded by the cones. Faces without an area, in the input or the result, have no normal and are
 /// ignored; this is decided in doubles. If topology is free, a contraction is rejected that removes
 /// a face and leaves no face at the edge that it becomes. A component that is removed, with
-/// Topology::parts_may_vanish, has nothing to compare.
+/// Topology::components_may_vanish, has nothing to compare.
 ///
 /// It works with any order. If points are floats, or with coordinates_are_floats, it holds for the
 /// result as rounded to floats. It takes 16 bytes per face, and about one microsecond per

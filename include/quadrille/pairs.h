@@ -42,18 +42,18 @@ enum class Topology {
   /// contracting a sphere to its centre. For a cost without a weight (EdgeLength) it is the cost of
   /// contracting the whole component to its centre, but at least that square.
   ///
-  /// The radius is that of a sphere around the centre of the part's bounding box, in all dimensions
-  /// of the cost. A duplicate of a large component costs as much as the original. If the target is
-  /// a count, a component more than two radii away whose removal would move the surface by more
-  /// than a hundredth of the diagonal comes after all steps that move it less, and it stays if
-  /// constraints keep most of the remaining surface; a contraction that moves a large component by
-  /// more than a fiftieth of its size comes last. A component stays if it is large (its box has at
-  /// least a twentieth of the diagonal of the whole), if it has a constrained vertex or edge, or if
-  /// it is the most costly one. The last faces of a label may vanish with their component. If the
-  /// stop policy needs distances, as DistanceLimit does, no component vanishes whose diameter
+  /// The radius is that of a sphere around the centre of the component's bounding box, in all
+  /// dimensions of the cost. A duplicate of a large component costs as much as the original. If the
+  /// target is a count, a component more than two radii away whose removal would move the surface
+  /// by more than a hundredth of the diagonal comes after all steps that move it less, and it stays
+  /// if constraints keep most of the remaining surface; a contraction that moves a large component
+  /// by more than a fiftieth of its size comes last. A component stays if it is large (its box has
+  /// at least a twentieth of the diagonal of the whole), if it has a constrained vertex or edge, or
+  /// if it is the most costly one. The last faces of a label may vanish with their component. If
+  /// the stop policy needs distances, as DistanceLimit does, no component vanishes whose diameter
   /// (twice the radius, in space) would exceed its limit. Filters are not called. It takes eight
   /// more bytes per vertex, and linear time at the beginning and after each pass of RelaxedOrder.
-  parts_may_vanish
+  components_may_vanish
 };
 
 } // namespace quadrille

@@ -33,10 +33,10 @@ enum vertex_importance_t { vertex_importance };
 
 /// The tag of vertex_is_shared_map().
 enum vertex_is_shared_t { vertex_is_shared };
-/// The tag of edge_is_border_map().
-enum edge_is_border_t { edge_is_border };
-/// The tag of border_edges().
-enum border_edges_t { border_edges_tag };
+/// The tag of edge_is_boundary_map().
+enum edge_is_boundary_t { edge_is_boundary };
+/// The tag of boundary_edges().
+enum boundary_edges_t { boundary_edges_tag };
 /// The tag of bounding_box().
 enum bounding_box_t { bounding_box_tag };
 /// The tag of coordinates_are_floats().
@@ -70,15 +70,15 @@ public:
   auto vertex_is_shared_map(const Map& map) const {
     return then<vertex_is_shared_t>(map);
   }
-  /// Appends edge_is_border_map().
+  /// Appends edge_is_boundary_map().
   template <class Map>
-  auto edge_is_border_map(const Map& map) const {
-    return then<edge_is_border_t>(map);
+  auto edge_is_boundary_map(const Map& map) const {
+    return then<edge_is_boundary_t>(map);
   }
-  /// Appends border_edges().
+  /// Appends boundary_edges().
   template <class Edges>
-  auto border_edges(const Edges& edges) const {
-    return then<border_edges_t>(edges);
+  auto boundary_edges(const Edges& edges) const {
+    return then<boundary_edges_t>(edges);
   }
   /// Appends bounding_box().
   auto bounding_box(const CGAL::Bbox_3& box) const { return then<bounding_box_t>(box); }
@@ -167,7 +167,7 @@ auto vertex_tolerance_map(const Map& map, const Before&... before) {
 /// - No new edge between two shared vertices arises, since another tile may have or create the same
 ///   edge: Rejection::chord.
 /// - An edge of one face between two shared vertices is not treated as a boundary, unless
-///   edge_is_border_map or border_edges() names it.
+///   edge_is_boundary_map or boundary_edges() names it.
 ///
 /// All tiles should be simplified in the scale of one box (see bounding_box), up to one CostLimit:
 /// a target of faces would destroy a tile with many shared vertices. The surface outside the tile
@@ -183,14 +183,14 @@ auto vertex_is_shared_map(const Map& map, const Before&... before) {
 /// face between two shared vertices that are on the boundary of the whole surface. Other edges of
 /// one face are boundaries anyway.
 template <class Map, class... Before>
-auto edge_is_border_map(const Map& map, const Before&... before) {
-  return chain<edge_is_border_t>(map, before...);
+auto edge_is_boundary_map(const Map& map, const Before&... before) {
+  return chain<edge_is_boundary_t>(map, before...);
 }
 
 /// The boundary edges for a soup: a range of pairs of point indices, as std::array<std::size_t, 2>.
 template <class Edges, class... Before>
-auto border_edges(const Edges& edges, const Before&... before) {
-  return chain<border_edges_t>(edges, before...);
+auto boundary_edges(const Edges& edges, const Before&... before) {
+  return chain<boundary_edges_t>(edges, before...);
 }
 
 /// A CGAL::Bbox_3 that sets the scale of the simplification in place of the surface's own bounding

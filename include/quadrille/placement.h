@@ -38,8 +38,8 @@ concept HasMinimizer = requires(const Cost cost, const Pair pair) {
 
 /// The position of least cost; if it differs from an end by rounding only, this end itself, bit for
 /// bit. If the cost has no minimizer, or it lies further from both ends than the farthest neighbour
-/// (whose squared distance is `pair.squared_reach`), it is the cheapest of the two ends and the
-/// midpoint.
+/// (whose squared distance is `pair.squared_ring_radius`), it is the cheapest of the two ends and
+/// the midpoint.
 ///
 /// Source: Garland and Heckbert 1997, section 4 (without the intermediate search along the segment:
 /// where planes leave directions free, this library's costs choose a position in them, see
@@ -51,7 +51,7 @@ struct OptimalPlacement {
   template <class Cost, class Pair>
   requires HasMinimizer<Cost, Pair>
   auto operator()(const Cost& cost, const Pair& pair) const {
-    if (const auto x = cost.minimizer(pair); x && is_within_reach(pair, *x))
+    if (const auto x = cost.minimizer(pair); x && is_within_ring(pair, *x))
       return is_rounded(pair, pair.first, *x)    ? pair.first
              : is_rounded(pair, pair.second, *x) ? pair.second
                                                  : *x;
@@ -82,13 +82,13 @@ private:
 
   // Returns whether x is that end, up to rounding.
   static bool is_rounded(const auto& pair, const auto& end, const auto& x) {
-    return squared_distance(end, x) <= 0x1p-60 * pair.squared_reach;
+    return squared_distance(end, x) <= 0x1p-60 * pair.squared_ring_radius;
   }
 
   // Returns false for a position that is not finite.
-  static bool is_within_reach(const auto& pair, const auto& x) {
+  static bool is_within_ring(const auto& pair, const auto& x) {
     return (std::min)(squared_distance(space(x), space(pair.first)),
-                      squared_distance(space(x), space(pair.second))) <= pair.squared_reach;
+                      squared_distance(space(x), space(pair.second))) <= pair.squared_ring_radius;
   }
 };
 

@@ -46,7 +46,7 @@ namespace quadrille {
 /// it allows for rounding only: 10⁻⁹ of the diagonal of the bounding box. Attributes may be as far
 /// from affine on a patch, as a fraction of the range of each component, and by 10⁻⁶ of it at
 /// least.
-class PlanarTolerance : public internal::DistanceOrPart {
+class PlanarTolerance : public internal::DistanceOrFraction {
 public:
   /// `distance`, in the mesh's units: how far the surface may move.
   explicit PlanarTolerance(double distance) : PlanarTolerance(distance, false) {}
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  PlanarTolerance(double number, bool is_relative) : DistanceOrPart(number, is_relative) {}
+  PlanarTolerance(double number, bool is_relative) : DistanceOrFraction(number, is_relative) {}
 };
 
 /// The report of remesh_planar_patches(). It prints itself in one line.
@@ -76,7 +76,7 @@ struct PlanarReport {
   std::size_t vertices_after = 0;  ///< vertices of the result
   std::size_t patches = 0;         ///< planar patches, of one face or more
   /// The number of patches that could be triangulated only with all vertices of their boundaries.
-  std::size_t patches_with_border = 0;
+  std::size_t patches_with_boundary = 0;
   /// The number of patches that could not be triangulated at all: their faces are unchanged.
   std::size_t patches_unchanged = 0;
 };
@@ -85,7 +85,7 @@ struct PlanarReport {
 inline std::ostream& operator<<(std::ostream& out, const PlanarReport& report) {
   return out << report.faces_before << " -> " << report.faces_after << " faces, "
              << report.vertices_before << " -> " << report.vertices_after << " vertices, "
-             << report.patches << " planar patches, " << report.patches_with_border
+             << report.patches << " planar patches, " << report.patches_with_boundary
              << " with their entire boundaries, " << report.patches_unchanged << " unchanged";
 }
 
@@ -145,7 +145,7 @@ PlanarReport remesh_with(Adapter& adapter, InputWithChannels input,
   report.faces_after = surface.face_count();
   report.vertices_after = surface.input_vertices().size();
   report.patches = patches.all;
-  report.patches_with_border = patches.with_border;
+  report.patches_with_boundary = patches.with_boundary;
   report.patches_unchanged = patches.unchanged;
   report.vertices_after += adapter.write(surface, reporter(CGAL::parameters::default_values()));
   return report;
@@ -166,12 +166,11 @@ PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&.
   auto map = choose_parameter(get_parameter(named, np::point_map),
                               CGAL::Identity_property_map<ElementOf<Points>>());
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
-  Workspace workspace({0, 0});
-  auto adapter = soup_adapter(points, triangles, map, NoAttributes{}, carried, workspace);
+  Arena arena({0, 0});
+  auto adapter = soup_adapter(points, triangles, map, NoAttributes{}, carried, arena);
   InputWithChannels input(adapter.read());
   fix_vertices(adapter, input, named);
-  read_labels(carried, boost::irange(std::size_t{0}, std::ranges::size(triangles)), input,
-              workspace);
+  read_labels(carried, boost::irange(std::size_t{0}, std::ranges::size(triangles)), input, arena);
   return remesh_with(adapter, std::move(input), tolerance);
 }
 
@@ -194,17 +193,17 @@ PlanarReport remesh_mesh(Mesh& mesh, const Arguments&... arguments) {
   auto points = choose_parameter(get_parameter(named, np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
-  Workspace workspace({0, 0});
+  Arena arena({0, 0});
   auto channels = channel_maps(carried.channels);
   FaceGraphAdapter<Mesh, decltype(points), decltype(indices), NoAttributes, decltype(channels)>
-      adapter(mesh, points, indices, {}, workspace, std::move(channels));
+      adapter(mesh, points, indices, {}, arena, std::move(channels));
   InputWithChannels input(adapter.read());
   fix_vertices(adapter, input, named);
   with_map<np::edge_is_constrained_t>(named, [&](const auto& map) {
     adapter.fix_edges(map, input);
     adapter.name_creases(map, input);
   });
-  read_labels(carried, faces(mesh), input, workspace);
+  read_labels(carried, faces(mesh), input, arena);
   return remesh_with(adapter, std::move(input), tolerance);
 }
 

@@ -231,9 +231,9 @@ private:
 /// The factorisation A = LDLᵀ of a symmetric positive definite matrix, with which systems are
 /// solved.
 ///
-/// A matrix is called singular where a pivot is not above a part of the trace, 10⁻¹² by default.
-/// The trace of a sum of quadrics is the sum of their weights, so the test is relative: neither
-/// scale nor rotation nor the number of planes moves it. A pivot is at least the smallest
+/// A matrix is called singular where a pivot is not above a fraction of the trace, 10⁻¹² by
+/// default. The trace of a sum of quadrics is the sum of their weights, so the test is relative:
+/// neither scale nor rotation nor the number of planes moves it. A pivot is at least the smallest
 /// eigenvalue, and one of 10⁻¹² of the trace still leaves four digits of the solution.
 template <std::size_t N, class Scalar = double>
 class Factorization {
@@ -241,7 +241,8 @@ public:
   static_assert(std::same_as<Scalar, double>,
                 "Only matrices of three dimensions are factorised two at a time.");
 
-  /// Factorises A, O(N³). `least_relative` is the part of the trace that a pivot has to be above.
+  /// Factorises A, O(N³). `least_relative` is the fraction of the trace that a pivot has to be
+  /// above.
   explicit constexpr Factorization(const SymmetricMatrix<N>& a,
                                    double least_relative = least_relative_pivot) {
     const double least_pivot = least_relative * a.trace();
@@ -292,7 +293,8 @@ private:
 template <class Scalar>
 class Factorization<3, Scalar> {
 public:
-  /// Factorises A, O(N³). `least_relative` is the part of the trace that a pivot has to be above.
+  /// Factorises A, O(N³). `least_relative` is the fraction of the trace that a pivot has to be
+  /// above.
   explicit constexpr Factorization(const SymmetricMatrix<3, Scalar>& a,
                                    double least_relative = least_relative_pivot) {
     const Scalar least_pivot = least_relative * a.trace();

@@ -236,10 +236,10 @@ QUADRILLE_C int32_t quadrille_simplify(quadrille_call* call);
 /** Views an array of the result by its name. The view is valid until the call runs again or is
  * deleted.
  *
- * points: doubles; triangles, labels, input_faces (the triangle of the input that each is): integers
- * of 32 bits; image (for each point of the input its point of the result, or -1): signed integers of
- * 64 bits, none with split_vertices; values, corners: those of a channel. An array that the result
- * does not have has no rows. */
+ * points: doubles; triangles, labels, input_faces (the triangle of the input that each is):
+ * integers of 32 bits; vertex_map (for each point of the input its point of the result, or -1):
+ * signed integers of 64 bits, none with split_vertices; values, corners: those of a channel. An
+ * array that the result does not have has no rows. */
 QUADRILLE_C int32_t quadrille_result(quadrille_call* call, const char* name, size_t channel,
                                      quadrille_array* view);
 /** Copies an array of the result into memory of the caller, with a type and a stride. */

@@ -45,9 +45,9 @@ struct Status {
   /// Report::distance_bound.
   double next_distance = std::numeric_limits<double>::infinity();
   /// A bound on the reverse distance, of any point of the input from the surface. It is known to a
-  /// stop policy that declares Needs::distance_back, as HausdorffLimit does; for others it is
+  /// stop policy that declares Needs::reverse_distance, as HausdorffLimit does; for others it is
   /// infinity. It is 0 while next_distance is still computed, which comes first.
-  double next_distance_back = std::numeric_limits<double>::infinity();
+  double next_reverse_distance = std::numeric_limits<double>::infinity();
   /// A bound on the fraction of its tolerance that any point has used: see ToleranceLimit. It is
   /// known to a stop policy that declares Needs::tolerance; for others it is infinity. It is 0
   /// while distances are still computed, which come first.
@@ -148,12 +148,12 @@ struct Report {
 
   std::size_t components_before = 0; ///< connected components of the input
   std::size_t components_after = 0;  ///< connected components of the result
-  /// Components that were removed entirely: see Topology::parts_may_vanish. If topology is free,
-  /// components of which no vertex is left, nor any vertex that one of theirs has become.
-  std::size_t vanished_parts = 0;
+  /// Components that were removed entirely: see Topology::components_may_vanish. If topology is
+  /// free, components of which no vertex is left, nor any vertex that one of theirs has become.
+  std::size_t vanished_components = 0;
   /// The size of the largest removed component: the diagonal of its bounding box, in the mesh's
   /// units.
-  double largest_vanished_part = 0;
+  double largest_vanished_component = 0;
   std::size_t non_manifold_edges = 0;    ///< of the result: edges of at least three faces
   std::size_t non_manifold_vertices = 0; ///< of the result: vertices whose faces form neither a
                                          ///< disc nor half a disc
@@ -197,7 +197,7 @@ struct Report {
 
   /// The greatest fraction of its tolerance that any point of the surface has used, and its place.
   struct UsedTolerance {
-    double part = 0; ///< the fraction: an upper bound, 1 if the whole tolerance may be used
+    double fraction = 0; ///< the fraction: an upper bound, 1 if the whole tolerance may be used
     std::array<double, 3> place{}; ///< the centre of that face
   };
   /// It is known with ToleranceLimit.
@@ -252,7 +252,7 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   if (report.hausdorff_bound < std::numeric_limits<double>::infinity())
     out << ", " << report.hausdorff_bound << " both ways";
   if (report.used_tolerance)
-    out << ", " << report.used_tolerance->part << " of the tolerance used";
+    out << ", " << report.used_tolerance->fraction << " of the tolerance used";
   if (report.volume_before && report.volume_after)
     out << ", volume " << *report.volume_before << " -> " << *report.volume_after;
   if (report.self_intersections)
@@ -264,9 +264,9 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
     out << ", " << report.non_edge_contractions << " contractions without an edge";
   if (report.components_before != report.components_after)
     out << ", " << report.components_before << " -> " << report.components_after << " components";
-  if (report.vanished_parts > 0)
-    out << ", " << report.vanished_parts << " components vanished, of sizes up to "
-        << report.largest_vanished_part;
+  if (report.vanished_components > 0)
+    out << ", " << report.vanished_components << " components vanished, of sizes up to "
+        << report.largest_vanished_component;
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";
@@ -288,8 +288,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
 /// StopPolicy. Other policies see the greatest numbers of the type, or infinity.
 struct Needs {
   bool distance = false;      ///< Status::next_distance, as for DistanceLimit
-  bool distance_back = false; ///< Status::next_distance_back, as for HausdorffLimit; implies
-                              ///< `distance`
+  bool reverse_distance = false; ///< Status::next_reverse_distance, as for HausdorffLimit; implies
+                                 ///< `distance`
   bool tolerance = false;     ///< Status::next_tolerance, as for ToleranceLimit; implies both of
                               ///< these
   bool cost = false;          ///< Status::next_cost, as for CostLimit
@@ -297,12 +297,12 @@ struct Needs {
 
   /// Returns the union of both needs.
   friend constexpr Needs operator|(const Needs& a, const Needs& b) {
-    return {a.distance || b.distance, a.distance_back || b.distance_back,
+    return {a.distance || b.distance, a.reverse_distance || b.reverse_distance,
             a.tolerance || b.tolerance, a.cost || b.cost, a.edges || b.edges};
   }
   /// Returns the intersection of both needs.
   friend constexpr Needs operator&(const Needs& a, const Needs& b) {
-    return {a.distance && b.distance, a.distance_back && b.distance_back,
+    return {a.distance && b.distance, a.reverse_distance && b.reverse_distance,
             a.tolerance && b.tolerance, a.cost && b.cost, a.edges && b.edges};
   }
   /// Compares needs.

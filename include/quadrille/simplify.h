@@ -56,7 +56,8 @@ inline namespace QUADRILLE_THREADING {
 /// - Labels: labels of faces, whose regions are preserved
 /// - Texture, Normals, Colors, Attributes, of <quadrille/channels.h>, any number: channels of
 ///   attributes; SplitVertices, for a soup
-/// - Topology: kept, free, or parts_may_vanish; kept by default, free with pairs that are not edges
+/// - Topology: kept, free, or components_may_vanish; kept by default, free with pairs that are not
+/// edges
 /// - record_into(recorder), of <quadrille/record.h>: the recorder, such as Levels, receives all
 ///   contractions
 ///
@@ -75,7 +76,7 @@ inline namespace QUADRILLE_THREADING {
 /// - quadrille::parameters::vertex_tolerance_map: how far points may move: see ToleranceLimit
 /// - vertex_importance_map: more faces stay where it is high
 /// - vertex_is_shared_map: for a tile of a surface, the vertices that another tile has too; with
-///   edge_is_border_map, or border_edges() for a soup, for boundary edges between them
+///   edge_is_boundary_map, or boundary_edges() for a soup, for boundary edges between them
 /// - coordinates_are_floats: positions are rounded to floats before they are tested
 /// - bounding_box: the box that sets the scale of the simplification, common to all tiles
 /// - face_is_selected_map: only selected faces are simplified and counted

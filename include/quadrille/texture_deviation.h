@@ -119,18 +119,18 @@ private:
 };
 
 inline void require_textured(const TexturedSoup& soup, const char* which) {
-  const auto refuse = [&](const std::string& what) {
+  const auto reject = [&](const std::string& what) {
     throw std::invalid_argument(std::string("quadrille::texture_deviation: ") + which + what);
   };
   if (soup.texture.triangles.size() != soup.shape.triangles.size())
-    refuse(" does not have three coordinates for each triangle");
+    reject(" does not have three coordinates for each triangle");
   if (!soup.labels.empty() && soup.labels.size() != soup.shape.triangles.size())
-    refuse(" does not have a label for each triangle");
+    reject(" does not have a label for each triangle");
   for (std::size_t t = 0; t < soup.shape.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
       if (soup.shape.triangles[t][i] >= soup.shape.points.size() ||
           soup.texture.triangles[t][i] >= soup.texture.points.size())
-        refuse(" refers to a point or a coordinate that does not exist, in triangle " +
+        reject(" refers to a point or a coordinate that does not exist, in triangle " +
                std::to_string(t));
 }
 

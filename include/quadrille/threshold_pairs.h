@@ -79,7 +79,7 @@ private:
     const double limit = most_pairs_a_vertex * static_cast<double>(points);
     const double pairs = finder.count_pairs(limit);
     if (pairs > limit)
-      refuse((std::max)(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
+      reject((std::max)(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
   }
 
   // Counting all pairs could take O(n²): up to a thousand vertices are looked at, in an order that
@@ -94,7 +94,7 @@ private:
     return count / static_cast<double>(n) * static_cast<double>(points) / 2;
   }
 
-  [[noreturn]] void refuse(double pairs, double t) const {
+  [[noreturn]] void reject(double pairs, double t) const {
     throw std::length_error(
         "quadrille::ThresholdPairs: about " + std::to_string(std::llround(pairs)) +
         " pairs of vertices are closer than " + internal::text_of(t) + ", more than the limit of " +

@@ -35,16 +35,16 @@ struct Claims {
   bool solid = false;
   /// A claim that no normal of the result deviates by more than this angle, in degrees, from the
   /// normal of any input face that was merged into its face, or into one of the face's edges: see
-  /// NormalDeviation. It needs `images`, which must explain each face of the result; so it cannot
-  /// be used for results with duplicated vertices.
+  /// NormalDeviation. It needs `vertex_map`, which must explain each face of the result; so it
+  /// cannot be used for results with duplicated vertices.
   std::optional<double> normal_deviation = {};
   /// For each vertex of the input, the vertex of the result into which it was merged, by their
   /// indices or in the order of vertices(mesh); parameters::vanished for none. They are the result
   /// of vertex_to_vertex_map.
-  std::vector<std::size_t> images = {};
+  std::vector<std::size_t> vertex_map = {};
   /// Not a claim: a function that is called repeatedly with the fraction of the work that is done,
   /// from 0 to 1. If it returns false, verify() ends soon, with Verdict::is_cancelled.
-  std::function<bool(double part)> progress = {};
+  std::function<bool(double fraction)> progress = {};
 
   /// Returns whether distances are claimed, in one direction or both.
   bool are_distances_claimed() const { return distance || distance_both_ways; }
@@ -57,9 +57,9 @@ struct Finding {
       0; ///< a distance in the unit of the surfaces, degrees, or a number of what is named
   double measured = 0; ///< the same
   double error = 0;    ///< the greatest possible error of the measured value
-  /// Whether the claim is held: always if it is true, and never if the true value exceeds it by
+  /// Whether the claim is met: always if it is true, and never if the true value exceeds it by
   /// more than the error.
-  bool is_held = false;
+  bool is_met = false;
   /// A place where the claim is broken, in the unit of the surfaces: one of the farthest points, a
   /// point of a face that intersects another one or whose normal deviates too far, or a point of a
   /// component that has changed.
@@ -71,12 +71,12 @@ struct Verdict {
   std::vector<Finding> findings; ///< one or more for each claim, in the order of Claims
   bool is_cancelled = false;     ///< cancelled by Claims::progress: then not everything was checked
 
-  /// Returns whether all claims are held, as far as is known.
-  bool is_held() const {
+  /// Returns whether all claims are met, as far as is known.
+  bool is_met() const {
     return !is_cancelled && std::all_of(findings.begin(), findings.end(),
-                                        [](const Finding& finding) { return finding.is_held; });
+                                        [](const Finding& finding) { return finding.is_met; });
   }
-  explicit operator bool() const { return is_held(); } ///< the same as is_held()
+  explicit operator bool() const { return is_met(); } ///< the same as is_met()
 };
 
 /// Prints a verdict in one line, without an end of line.
@@ -84,8 +84,8 @@ inline std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
   const char* separator = "";
   for (const Finding& finding : verdict.findings) {
     out << separator << finding.claim << ": " << finding.promised << " promised, "
-        << finding.measured << " measured" << (finding.is_held ? "" : ", BROKEN");
-    if (const auto& p = finding.place; p && !finding.is_held)
+        << finding.measured << " measured" << (finding.is_met ? "" : ", BROKEN");
+    if (const auto& p = finding.place; p && !finding.is_met)
       out << " near (" << (*p)[0] << ", " << (*p)[1] << ", " << (*p)[2] << ")";
     separator = "; ";
   }

@@ -90,11 +90,11 @@ private:
       progress.next_stage();
     }
     if (claims.normal_deviation)
-      look_at_normals(*claims.normal_deviation, claims.images);
+      look_at_normals(*claims.normal_deviation, claims.vertex_map);
   }
 
-  void look_at_normals(double promised, const std::vector<std::size_t>& images) {
-    const NormalAngles::Greatest greatest = NormalAngles(input_, images, result_).measure();
+  void look_at_normals(double promised, const std::vector<std::size_t>& vertex_map) {
+    const NormalAngles::Greatest greatest = NormalAngles(input_, vertex_map, result_).measure();
     constexpr double rounding = 1e-6; // degrees
     add({"degrees between normals", promised, greatest.at_least,
          greatest.at_most - greatest.at_least + rounding, greatest.at_least <= promised + rounding},
@@ -124,7 +124,7 @@ private:
 
   // A broken claim is located at a face of the result.
   void add(Finding finding, std::size_t face) {
-    if (!finding.is_held)
+    if (!finding.is_met)
       finding.place = result_.points[result_.triangles[face][0]];
     verdict_.findings.push_back(std::move(finding));
   }
@@ -146,8 +146,8 @@ private:
 /// For distances, faces are cut along the faces of the other surface and subdivided until the
 /// distance is known to a fortieth of the claim, but at least to 5·10⁻⁴ and at most to 5·10⁻⁶ of
 /// the diagonal of both surfaces. Up to rounding, the measured distance never exceeds the true one.
-/// A claim that is exceeded by no more than this accuracy counts as held; so a claim that is true
-/// is always held, and one that is exceeded by more than twice the accuracy, Finding::error, is
+/// A claim that is exceeded by no more than this accuracy counts as met; so a claim that is true
+/// is always met, and one that is exceeded by more than twice the accuracy, Finding::error, is
 /// always broken. Excess over tolerances is measured in the same way, relative to the least of
 /// them. Angles are those of all pairs of faces. Faces intersect as for NoSelfIntersection, decided
 /// by CGAL's exact predicates. If some input faces only touch or overlap in a plane, the pairs that
@@ -158,7 +158,7 @@ private:
 /// distance by which they changed, by what they have in common. The input need not
 /// bound a volume; the result must then have the same orientation.
 ///
-/// If only one of the two surfaces has faces, no claim is held. `claims.progress` receives the
+/// If only one of the two surfaces has faces, no claim is met. `claims.progress` receives the
 /// progress and may end the verification.
 ///
 /// Both are models of CGAL's FaceListGraph with a vertex_point map; types may differ. Rounded
@@ -166,8 +166,8 @@ private:
 /// faces of both; distances take about a second for 10⁴ faces at a thousandth of the diagonal,
 /// whether surfaces are flat or curved, and solids of k components O(k²) in addition. Throws
 /// std::invalid_argument for a face that is not a triangle, a coordinate that is not finite, an
-/// invalid distance or angle, tolerances or images whose number is not that of the input vertices,
-/// and a claim of solidity for an input with open edges.
+/// invalid distance or angle, tolerances or a vertex map whose number is not that of the input
+/// vertices, and a claim of solidity for an input with open edges.
 template <class MeshA, class MeshB>
 requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
     verify(const MeshA& input, const MeshB& result, const Claims& claims) {
@@ -183,7 +183,7 @@ template <class MeshA, class MeshB, class NamedParameters>
 requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
     verify(const MeshA& input, const MeshB& result, Claims claims, const NamedParameters& named) {
   internal::add_tolerances(input, named, claims);
-  internal::add_images(input, result, named, claims);
+  internal::add_vertex_map(input, result, named, claims);
   return verify(input, result, claims);
 }
 

@@ -28,7 +28,7 @@ namespace quadrille {
 template <class Placement>
 struct VolumeKeeping {
   using ScaleFree = VolumeKeeping; ///< scale-invariant
-  using Guess = Placement;         ///< orders pairs until they are contracted
+  using Estimate = Placement;      ///< orders pairs until they are contracted
   static_assert(internal::is_scale_free<Placement>,
                 "VolumeKeeping needs a placement that is scale-free: see <quadrille/concepts.h>.");
   static constexpr bool looks_at_star = true;   ///< the faces around the pair decide the position
@@ -42,7 +42,7 @@ struct VolumeKeeping {
 
   /// Returns the position of the wrapped placement, moved to the plane.
   template <class Cost, class Pair, class Star>
-  auto settle(const Cost& cost, const Pair& pair, const Star& star) const {
+  auto resolve(const Cost& cost, const Pair& pair, const Star& star) const {
     auto x = placement(cost, pair);
     std::optional<decltype(x)> result;
     const Plane plane(star, space(pair.first));
@@ -51,10 +51,10 @@ struct VolumeKeeping {
     if (std::abs(change) > plane.rounding()) {
       if (!(squared > least_mean * plane.area * plane.area))
         return result;
-      const Vector<3> way = -change / squared * plane.normal;
+      const Vector<3> displacement = -change / squared * plane.normal;
       for (std::size_t i = 0; i < 3; ++i)
-        x[i] += way[i];
-      if (!is_within_reach(pair, x))
+        x[i] += displacement[i];
+      if (!is_within_ring(pair, x))
         return result;
     }
     result = x;
@@ -104,9 +104,9 @@ private:
     double rounding() const { return area * (0x1p-46 * std::sqrt(extent) + 4 * size); }
   };
 
-  static bool is_within_reach(const auto& pair, const auto& x) {
+  static bool is_within_ring(const auto& pair, const auto& x) {
     return (std::min)(squared_distance(space(x), space(pair.first)),
-                      squared_distance(space(x), space(pair.second))) <= pair.squared_reach;
+                      squared_distance(space(x), space(pair.second))) <= pair.squared_ring_radius;
   }
 };
 

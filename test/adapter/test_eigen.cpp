@@ -33,7 +33,7 @@ Matrix matrix_of(const Rows& rows) {
 }
 
 template <class Matrix, class Rows>
-Matrix columns_of(const Rows& rows) {
+Matrix vertex_arrays_of(const Rows& rows) {
   return matrix_of<Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, 3>>(rows).transpose();
 }
 
@@ -97,11 +97,11 @@ TEST_CASE("Matrices of three rows have a column for each") {
   const auto check_columns = [](auto v, auto f, const Arrays& before, const Arrays& after) {
     using V = decltype(v);
     using F = decltype(f);
-    v = columns_of<V>(before.points);
-    f = columns_of<F>(before.triangles);
+    v = vertex_arrays_of<V>(before.points);
+    f = vertex_arrays_of<F>(before.triangles);
     simplify(v, f, FaceRatio{0.3});
-    CHECK(v == columns_of<V>(after.points));
-    CHECK(f == columns_of<F>(after.triangles));
+    CHECK(v == vertex_arrays_of<V>(after.points));
+    CHECK(f == vertex_arrays_of<F>(after.triangles));
   };
   const Arrays before = arrays_of(input());
   check_columns(Eigen::MatrixXd(), Eigen::MatrixXi(), before, expected());
@@ -138,15 +138,15 @@ TEST_CASE("Of views of matrices, what is left is at the beginning") {
                 Eigen::Map<Eigen::MatrixXi>(f.data(), f.rows(), 3), v, f);
   }
   SECTION("maps of three rows, as temporaries") {
-    auto v = columns_of<Eigen::Matrix3Xd>(before.points);
-    auto f = columns_of<Eigen::Matrix3Xi>(before.triangles);
+    auto v = vertex_arrays_of<Eigen::Matrix3Xd>(before.points);
+    auto f = vertex_arrays_of<Eigen::Matrix3Xi>(before.triangles);
     simplify(Eigen::Map<Eigen::Matrix3Xd>(v.data(), 3, v.cols()),
              Eigen::Map<Eigen::Matrix3Xi>(f.data(), 3, f.cols()), FaceRatio{0.3});
     CHECK(v.leftCols(v_left.rows()) == v_left.transpose());
     CHECK(f.leftCols(f_left.rows()) == f_left.transpose());
   }
   SECTION("transposes and blocks") {
-    auto v = columns_of<Eigen::MatrixXd>(before.points);
+    auto v = vertex_arrays_of<Eigen::MatrixXd>(before.points);
     Eigen::MatrixXi f(before.triangles.size(), 5);
     f.leftCols(3) = matrix_of<Eigen::MatrixXi>(before.triangles);
     f.rightCols(2).setConstant(7);
@@ -157,14 +157,14 @@ TEST_CASE("Of views of matrices, what is left is at the beginning") {
 
 TEST_CASE("A simplified copy of a view is a matrix") {
   const Arrays before = arrays_of(input());
-  const auto v = columns_of<Eigen::Matrix3Xd>(before.points);
+  const auto v = vertex_arrays_of<Eigen::Matrix3Xd>(before.points);
   const auto f = matrix_of<Eigen::MatrixXi>(before.triangles);
   const auto [v_left, f_left, report] =
       simplified(Eigen::Map<const Eigen::Matrix3Xd>(v.data(), 3, v.cols()),
                  Eigen::Map<const Eigen::MatrixXi>(f.data(), f.rows(), 3), FaceRatio{0.3});
-  CHECK(v_left == columns_of<Eigen::Matrix3Xd>(expected().points));
+  CHECK(v_left == vertex_arrays_of<Eigen::Matrix3Xd>(expected().points));
   CHECK(f_left == matrix_of<Eigen::MatrixXi>(expected().triangles));
-  CHECK(v == columns_of<Eigen::Matrix3Xd>(before.points));
+  CHECK(v == vertex_arrays_of<Eigen::Matrix3Xd>(before.points));
 }
 
 TEST_CASE("Views of the wrong size are refused before anything is changed") {
@@ -178,8 +178,8 @@ TEST_CASE("Views of the wrong size are refused before anything is changed") {
 }
 
 TEST_CASE("Attributes in columns are the rows of a transpose") {
-  auto v = columns_of<Eigen::MatrixXd>(arrays_of(input()).points);
-  auto f = columns_of<Eigen::MatrixXi>(arrays_of(input()).triangles);
+  auto v = vertex_arrays_of<Eigen::MatrixXd>(arrays_of(input()).points);
+  auto f = vertex_arrays_of<Eigen::MatrixXi>(arrays_of(input()).triangles);
   Eigen::MatrixXd colors = v.array().abs() / 4;
   auto by_rows = colors.transpose();
   simplify(v, f, FaceRatio{0.3}, Colors{matrix_rows<3>(by_rows)});

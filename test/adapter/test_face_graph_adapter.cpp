@@ -76,22 +76,23 @@ struct LabelledMesh {
 
   // Every label, taken along by the contractions, is what it labels.
   void require_labels_right(const test::Reference& reference) const {
-    const auto image = [&](Vertex v) { return reference.image(v); };
+    const auto merged_vertex = [&](Vertex v) { return reference.merged_vertex(v); };
     for (const auto v : mesh.vertices())
-      REQUIRE(image(vertex[v]) == vertex[v]);
+      REQUIRE(merged_vertex(vertex[v]) == vertex[v]);
     for (const auto h : mesh.halfedges()) {
-      REQUIRE(image(ends[h][0]) == vertex[mesh.source(h)]);
-      REQUIRE(image(ends[h][1]) == vertex[mesh.target(h)]);
+      REQUIRE(merged_vertex(ends[h][0]) == vertex[mesh.source(h)]);
+      REQUIRE(merged_vertex(ends[h][1]) == vertex[mesh.target(h)]);
     }
     for (const auto e : mesh.edges()) {
       std::set<Vertex> images;
       for (const Vertex v : edge[e])
-        images.insert(image(v));
+        images.insert(merged_vertex(v));
       REQUIRE(images == std::set{vertex[mesh.vertex(e, 0)], vertex[mesh.vertex(e, 1)]});
     }
     for (const auto f : mesh.faces()) {
       const auto& [a, b, c] = face[f];
-      REQUIRE(test::canonical({image(a), image(b), image(c)}) == test::canonical(corners(f)));
+      REQUIRE(test::canonical({merged_vertex(a), merged_vertex(b), merged_vertex(c)}) ==
+              test::canonical(corners(f)));
     }
   }
 
@@ -108,9 +109,9 @@ struct LabelledMesh {
 
 TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 8));
-  const bool has_borders = GENERATE(true, false);
-  CAPTURE(seed, has_borders);
-  const Soup soup = has_borders ? test::random_with_borders(seed) : test::random_closed(seed);
+  const bool has_boundaries = GENERATE(true, false);
+  CAPTURE(seed, has_boundaries);
+  const Soup soup = has_boundaries ? test::random_with_boundaries(seed) : test::random_closed(seed);
   test::Reference reference(soup);
   std::size_t done = 0;
   for (const auto contractions : std::array<std::size_t, 6>{0, 1, 2, 10, 30, 50}) {
@@ -132,21 +133,21 @@ TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
 
 TEST_CASE("A border stays a border, with edges that were on it") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 8));
-  Mesh mesh = test::make_mesh(test::random_with_borders(seed));
-  std::set<Mesh::Halfedge_index> was_border;
+  Mesh mesh = test::make_mesh(test::random_with_boundaries(seed));
+  std::set<Mesh::Halfedge_index> was_boundary;
   for (const auto h : mesh.halfedges())
     if (mesh.is_border(h))
-      was_border.insert(h);
+      was_boundary.insert(h);
   simplify(mesh, FaceRatio{0.4});
   for (const auto h : mesh.halfedges())
     if (mesh.is_border(h))
-      CHECK(was_border.contains(h));
+      CHECK(was_boundary.contains(h));
 }
 
 TEST_CASE("A constrained edge keeps its descriptor, its ends and its values") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 8));
   CAPTURE(seed);
-  LabelledMesh labelled(test::random_with_borders(seed));
+  LabelledMesh labelled(test::random_with_boundaries(seed));
   Mesh& mesh = labelled.mesh;
   const Mesh input = mesh;
   const auto constrained = mesh.add_property_map<Mesh::Edge_index, bool>("c", false).first;
@@ -158,7 +159,7 @@ TEST_CASE("A constrained edge keeps its descriptor, its ends and its values") {
     constrained[e] = true;
 
   simplify(mesh, FaceCount{0}, CGAL::parameters::edge_is_constrained_map(constrained),
-           NormalFlip(90, Folds::allowed));
+           NormalFlip(90, FoldOvers::allowed));
   REQUIRE(4 * mesh.number_of_faces() < 3 * input.number_of_faces());
   REQUIRE(test::is_valid_triangle_mesh(mesh));
   std::set<Mesh::Edge_index> left;
@@ -198,13 +199,13 @@ TEST_CASE("Of a large mesh out of order, which the engine renumbers, all descrip
     REQUIRE_FALSE(mesh.is_removed(e));
     CHECK(std::set<std::uint32_t>{mesh.vertex(e, 0), mesh.vertex(e, 1)} == labelled.edge[e]);
   }
-  std::map<std::uint32_t, std::uint32_t> image; // what vertices have become part of
+  std::map<std::uint32_t, std::uint32_t> merged_vertex; // what vertices have become part of
   for (const auto v : mesh.vertices()) {
-    image[v] = v;
+    merged_vertex[v] = v;
     REQUIRE(mesh.point(v) == input.point(v));
   }
   const auto require_image = [&](std::uint32_t v, std::uint32_t now) {
-    REQUIRE(image.emplace(v, now).first->second == now);
+    REQUIRE(merged_vertex.emplace(v, now).first->second == now);
   };
   for (const auto h : mesh.halfedges()) {
     require_image(labelled.ends[h][0], mesh.source(h));
@@ -250,7 +251,7 @@ TEST_CASE("Where vertices go to an end of their pair, those that are left lie wh
   const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   const auto topology = GENERATE(Topology::kept, Topology::free);
   CAPTURE(seed);
-  const Soup soup = test::random_with_borders(seed);
+  const Soup soup = test::random_with_boundaries(seed);
   LabelledMesh labelled(soup);
   const Mesh& mesh = labelled.mesh;
   const Report report = simplify(labelled.mesh, EndpointPlacement{}, FaceRatio{0.3}, topology);
@@ -265,7 +266,7 @@ TEST_CASE("Where vertices go to an end of their pair, those that are left lie wh
 }
 
 TEST_CASE("Nothing to do changes nothing") {
-  const Soup soup = test::random_with_borders(3);
+  const Soup soup = test::random_with_boundaries(3);
   Mesh mesh = test::make_mesh(soup);
   const Report report = simplify(mesh, FaceCount{soup.triangles.size()});
   CHECK(report.contractions == 0);
@@ -443,7 +444,7 @@ TEST_CASE("Where holes close, no edge is left to two") {
 TEST_CASE("Where topology is free, constrained edges are left, and to one face a side each") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 20));
   CAPTURE(seed);
-  Mesh mesh = test::make_mesh(test::random_with_borders(seed));
+  Mesh mesh = test::make_mesh(test::random_with_boundaries(seed));
   test::Random random(seed);
   const auto is_constrained =
       mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", false).first;
@@ -465,7 +466,7 @@ TEST_CASE("Where topology is free, constrained edges are left, and to one face a
 TEST_CASE("A mesh can be simplified again and again, and refined in between") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   CAPTURE(seed);
-  Mesh mesh = test::make_mesh(test::random_with_borders(seed));
+  Mesh mesh = test::make_mesh(test::random_with_boundaries(seed));
   while (true) {
     const std::size_t target = mesh.number_of_faces() - 7;
     const Report report = simplify(mesh, FaceCount{target});
@@ -482,13 +483,13 @@ TEST_CASE("A mesh can be simplified again and again, and refined in between") {
     mesh.point(mesh.target(center)) = CGAL::centroid(p, q, r);
     REQUIRE(test::is_valid_triangle_mesh(mesh));
   }
-  CHECK(3 * mesh.number_of_faces() <= 2 * test::random_with_borders(seed).triangles.size());
+  CHECK(3 * mesh.number_of_faces() <= 2 * test::random_with_boundaries(seed).triangles.size());
 }
 
 // --- The user's own maps -------------------------------------------------------------------------
 
 TEST_CASE("Positions of the user's own are read and written, and the mesh's are left alone") {
-  const Soup soup = test::random_with_borders(4);
+  const Soup soup = test::random_with_boundaries(4);
   Mesh expected = test::make_mesh(soup);
   simplify(expected, FaceCount{40});
 

@@ -46,7 +46,7 @@ TEMPLATE_TEST_CASE("Every mesh is simplified to a valid one of as many faces", "
                    CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>,
                    test::Polyhedron, WithIds, test::CellComplex, test::PolyMesh,
                    test::FloatPolyMesh, test::FloatTriMesh) {
-  for (const test::Soup& soup : {test::random_closed(1), test::random_with_borders(1)}) {
+  for (const test::Soup& soup : {test::random_closed(1), test::random_with_boundaries(1)}) {
     TestType mesh = test::convert<TestType>(soup);
     if constexpr (std::is_same_v<TestType, WithIds>)
       CGAL::set_halfedgeds_items_id(mesh);
@@ -63,7 +63,7 @@ TEMPLATE_TEST_CASE("Every mesh is simplified to a valid one of as many faces", "
 
 TEMPLATE_TEST_CASE("Points of a soup may be three numbers by index", "", (std::array<double, 3>),
                    Vector3) {
-  test::PointSoup expected(test::random_with_borders(1)), soup = expected;
+  test::PointSoup expected(test::random_with_boundaries(1)), soup = expected;
   std::vector<TestType> points;
   for (const test::Point& p : soup.points)
     points.push_back({{p.x(), p.y(), p.z()}});
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE("Points of a soup may be three numbers by index", "", (std::a
 }
 
 TEST_CASE("Points of floats by index get the nearest floats") {
-  const test::PointSoup soup(test::random_with_borders(1));
+  const test::PointSoup soup(test::random_with_boundaries(1));
   std::vector<std::array<float, 3>> points;
   std::vector<test::Point> doubles;
   for (const test::Point& p : soup.points) {
@@ -98,7 +98,7 @@ TEST_CASE("Points of floats by index get the nearest floats") {
 }
 
 TEST_CASE("Soups may lie in containers of any kind, with an allocator of their own") {
-  const test::Soup soup = test::random_with_borders(1);
+  const test::Soup soup = test::random_with_boundaries(1);
   test::PointSoup plain(soup);
   simplify<Quadric, OptimalPlacement>(plain.points, plain.triangles, FaceRatio{0.2});
   const auto check = [&](auto points, auto triangles) {

@@ -84,7 +84,7 @@ auto make_map(Mesh& mesh, const Soup& soup, const Channels& channels, std::size_
 ChannelOptions options_of(const ChannelReference::Channel& channel) {
   return {.weights = channel.weights,
           .seams = channel.is_kept_texture ? Seams::kept : Seams::priced,
-          .border_weight = channel.border_weight};
+          .chart_boundary_weight = channel.chart_boundary_weight};
 }
 
 /// A channel of a mesh as an argument; textures alone have two components here.
@@ -241,11 +241,11 @@ TEST_CASE("Surfaces full of seams are simplified as by brute force") {
 
 TEST_CASE("Charts of a texture are simplified as by brute force") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 5));
-  const double border_weight = GENERATE(10.0, 0.0);
-  CAPTURE(seed, border_weight);
+  const double chart_boundary_weight = GENERATE(10.0, 0.0);
+  CAPTURE(seed, chart_boundary_weight);
   const Soup soup = small_surface(seed);
   const CornerValues texture = two_charts(soup, seed);
-  require_same_channels<Halfedge, 2>(soup, {{texture, {0.5, 0.5}, true, border_weight}});
+  require_same_channels<Halfedge, 2>(soup, {{texture, {0.5, 0.5}, true, chart_boundary_weight}});
 }
 
 TEST_CASE("Folds of a texture are kept as by brute force") {

@@ -156,9 +156,9 @@ Asset cylinder_of_four_channels() {
   const Textured surface = textured_cylinder(around, 10);
   const auto normals = corner_values<3>(surface.soup, [&](std::size_t t, std::uint32_t v) {
     const double angle = angle_of(surface.soup.points[v]);
-    const bool is_behind = centre(surface.soup, surface.soup.triangles[t])[1] < 0;
+    const bool is_outside = centre(surface.soup, surface.soup.triangles[t])[1] < 0;
     const double off = std::numbers::pi - std::abs(angle);
-    const double turned = is_behind ? angle - 0.5 * (1 - off / std::numbers::pi) : angle;
+    const double turned = is_outside ? angle - 0.5 * (1 - off / std::numbers::pi) : angle;
     return Vector<3>{{std::cos(turned), std::sin(turned), 0}};
   });
   Asset asset{PointSoup(surface.soup), indexed(surface.texture), indexed(normals), {}, {}, {}};
@@ -235,7 +235,7 @@ std::set<std::array<double, 2>> places_at(const TexturedMesh<Mesh>& asset, Mesh:
 
 // Refused are four channels that `spoil` has changed, or their options.
 template <class Spoil>
-void require_refused(Spoil spoil, const std::string& message, const Options& options = {}) {
+void require_rejected(Spoil spoil, const std::string& message, const Options& options = {}) {
   CAPTURE(message);
   Asset asset = cylinder_of_four_channels();
   spoil(asset);
@@ -663,8 +663,9 @@ TEST_CASE("The firmer borders of charts are held, the less the texture bleeds") 
     }
     return soup;
   };
-  const auto bleeding = [&](double border_weight) {
-    const Textured result = with_texture(surface, 150, {.border_weight = border_weight}).surface;
+  const auto bleeding = [&](double chart_boundary_weight) {
+    const Textured result =
+        with_texture(surface, 150, {.chart_boundary_weight = chart_boundary_weight}).surface;
     return texture_deviation(as_soup(result), as_soup(surface), 20'000).bleeding;
   };
   const double loose = bleeding(0), firm = bleeding(10), firmest = bleeding(1000);
@@ -676,51 +677,52 @@ TEST_CASE("The firmer borders of charts are held, the less the texture bleeds") 
 // --- What is refused -----------------------------------------------------------------------------
 
 TEST_CASE("Input that makes no sense is refused, and left as it was") {
-  require_refused([](Asset& a) { a.texture.triples[7][1] = 100'000; },
-                  "face 7 names value 100000 of ");
-  require_refused(
+  require_rejected([](Asset& a) { a.texture.triples[7][1] = 100'000; },
+                   "face 7 names value 100000 of ");
+  require_rejected(
       [](Asset& a) { a.normals.triples[7][2] = std::uint32_t(a.normals.values.size()); },
       "face 7 names value ");
-  require_refused([](Asset& a) { a.texture.triples.pop_back(); },
-                  "index triples for 479 triangles of 480");
-  require_refused(
+  require_rejected([](Asset& a) { a.texture.triples.pop_back(); },
+                   "index triples for 479 triangles of 480");
+  require_rejected(
       [](Asset& a) {
         a.texture.triples.push_back({0, 0, 0});
       },
       "index triples for 481 triangles of 480");
-  require_refused([](Asset& a) { a.normals.triples.clear(); },
-                  "index triples for 0 triangles of 480");
+  require_rejected([](Asset& a) { a.normals.triples.clear(); },
+                   "index triples for 0 triangles of 480");
 
   for (const double value : {not_a_number, infinity, -infinity}) {
-    require_refused([&](Asset& a) { a.texture.values[5][1] = value; },
-                    "value 5 of a channel is not finite");
-    require_refused([&](Asset& a) { a.normals.values[5][2] = value; },
-                    "value 5 of a channel is not finite");
-    require_refused([&](Asset& a) { a.colors[5][3] = value; },
-                    "value 5 of a channel is not finite");
-    require_refused([&](Asset& a) { a.heights[5] = value; }, "value 5 of a channel is not finite");
+    require_rejected([&](Asset& a) { a.texture.values[5][1] = value; },
+                     "value 5 of a channel is not finite");
+    require_rejected([&](Asset& a) { a.normals.values[5][2] = value; },
+                     "value 5 of a channel is not finite");
+    require_rejected([&](Asset& a) { a.colors[5][3] = value; },
+                     "value 5 of a channel is not finite");
+    require_rejected([&](Asset& a) { a.heights[5] = value; }, "value 5 of a channel is not finite");
   }
 }
 
 TEST_CASE("Options that make no sense are refused") {
   const auto nothing = [](Asset&) {};
-  require_refused(nothing, "a channel of 2 components has 1 weights",
-                  {.texture = {.weights = {1}}});
-  require_refused(nothing, "has 3 weights", {.texture = {.weights = {1, 1, 1}}});
-  require_refused(nothing, "a channel of 1 components has 2 weights",
-                  {.heights = {.weights = {1, 1}}});
-  require_refused(nothing, "existing does not go with a Texture",
-                  {.texture = {.new_values = NewValues::existing}});
-  require_refused(nothing, "recomputed goes with Normals",
-                  {.colors = {.new_values = NewValues::recomputed}});
-  require_refused(nothing, "weights goes with Attributes",
-                  {.normals = {.new_values = NewValues::weights}});
-  require_refused(nothing, "linear_light goes with Colors", {.heights = {.linear_light = true}});
+  require_rejected(nothing, "a channel of 2 components has 1 weights",
+                   {.texture = {.weights = {1}}});
+  require_rejected(nothing, "has 3 weights", {.texture = {.weights = {1, 1, 1}}});
+  require_rejected(nothing, "a channel of 1 components has 2 weights",
+                   {.heights = {.weights = {1, 1}}});
+  require_rejected(nothing, "existing does not go with a Texture",
+                   {.texture = {.new_values = NewValues::existing}});
+  require_rejected(nothing, "recomputed goes with Normals",
+                   {.colors = {.new_values = NewValues::recomputed}});
+  require_rejected(nothing, "weights goes with Attributes",
+                   {.normals = {.new_values = NewValues::weights}});
+  require_rejected(nothing, "linear_light goes with Colors", {.heights = {.linear_light = true}});
   for (const double value : {-1., not_a_number, infinity})
-    require_refused(nothing, "border_weight", {.texture = {.border_weight = value}});
+    require_rejected(nothing, "chart_boundary_weight",
+                     {.texture = {.chart_boundary_weight = value}});
   for (const double value : {0., -1., not_a_number, infinity}) {
-    require_refused(nothing, "weight", {.normals = {.weights = {1, value, 1}}});
-    require_refused(nothing, "importance", {.colors = {.importance = value}});
+    require_rejected(nothing, "weight", {.normals = {.weights = {1, value, 1}}});
+    require_rejected(nothing, "importance", {.colors = {.importance = value}});
   }
 }
 

@@ -85,8 +85,8 @@ void require_equal(const Call& call, const SoupResult& expected) {
   CHECK(result_of<double>(call, "points") == flat(expected.points));
   CHECK(result_of<std::uint32_t>(call, "triangles") == flat(expected.triangles));
   CHECK(result_of<std::uint32_t>(call, "input_faces") == expected.input_faces);
-  const auto image = result_of<std::int64_t>(call, "image");
-  CHECK(std::vector<std::size_t>(image.begin(), image.end()) == expected.image);
+  const auto vertex_map = result_of<std::int64_t>(call, "vertex_map");
+  CHECK(std::vector<std::size_t>(vertex_map.begin(), vertex_map.end()) == expected.vertex_map);
 }
 
 } // namespace

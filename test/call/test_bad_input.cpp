@@ -84,8 +84,8 @@ Report run(PointSoup<T>& soup, const Arguments&... arguments) {
 }
 
 template <class Surface, class... Arguments>
-void require_refused(const Surface& input, const std::string& message,
-                     const Arguments&... arguments) {
+void require_rejected(const Surface& input, const std::string& message,
+                      const Arguments&... arguments) {
   Surface surface = input;
   CHECK_THROWS_AS(run(surface, arguments...), std::invalid_argument);
   CHECK_THROWS_WITH(run(surface, arguments...), Contains(message));
@@ -119,8 +119,8 @@ TEMPLATE_TEST_CASE("A face that is not a triangle is named, with the remedy", ""
       break;
     ++number;
   }
-  require_refused(mesh, "face " + std::to_string(number) + " is not a triangle");
-  require_refused(mesh, "CGAL::Polygon_mesh_processing::triangulate_faces");
+  require_rejected(mesh, "face " + std::to_string(number) + " is not a triangle");
+  require_rejected(mesh, "CGAL::Polygon_mesh_processing::triangulate_faces");
 }
 
 TEMPLATE_TEST_CASE("A vertex that is not finite is named", "", Mesh, Polyhedron) {
@@ -134,7 +134,7 @@ TEMPLATE_TEST_CASE("A vertex that is not finite is named", "", Mesh, Polyhedron)
         Position p = test::to_position(get(get(CGAL::vertex_point, mesh), *v));
         p[axis] = value;
         put(get(CGAL::vertex_point, mesh), *v, test::to_point<Point>(p));
-        require_refused(mesh, "vertex " + std::to_string(at) + " is not finite");
+        require_rejected(mesh, "vertex " + std::to_string(at) + " is not finite");
       }
 }
 
@@ -142,25 +142,25 @@ TEST_CASE("Soups are refused likewise") {
   const auto good = point_soup(test::sphere(1));
   auto soup = good;
   soup.points[11] = Point(0, not_a_number, 0);
-  require_refused(soup, "vertex 11 is not finite");
+  require_rejected(soup, "vertex 11 is not finite");
   soup = good;
   soup.triangles[5][2] = 18;
-  require_refused(soup, "face 5 names point 18 of 18");
+  require_rejected(soup, "face 5 names point 18 of 18");
   soup.triangles[5][2] = std::numeric_limits<std::size_t>::max();
-  require_refused(soup, "face 5 names point 18446744073709551615 of 18");
+  require_rejected(soup, "face 5 names point 18446744073709551615 of 18");
   soup.triangles[5][2] = std::size_t{1} << 32;
-  require_refused(soup, "face 5 names point 4294967296 of 18");
+  require_rejected(soup, "face 5 names point 4294967296 of 18");
 
   PointSoup<std::vector<std::array<int, 3>>> with_signs{good.points, {{0, 1, 2}, {0, -1, 2}}};
-  require_refused(with_signs, "face 1 names point -1 of 18");
+  require_rejected(with_signs, "face 1 names point -1 of 18");
 
   PointSoup<std::vector<std::vector<int>>> polygons{good.points, {{0, 1, 2}, {0, 1, 2, 3}}};
-  require_refused(polygons, "face 1 is not a triangle");
-  require_refused(polygons, "CGAL::Polygon_mesh_processing::triangulate_polygons");
+  require_rejected(polygons, "face 1 is not a triangle");
+  require_rejected(polygons, "CGAL::Polygon_mesh_processing::triangulate_polygons");
   polygons.triangles[1] = {0, 1};
-  require_refused(polygons, "face 1 is not a triangle");
+  require_rejected(polygons, "face 1 is not a triangle");
   polygons.triangles[1] = {};
-  require_refused(polygons, "face 1 is not a triangle");
+  require_rejected(polygons, "face 1 is not a triangle");
 }
 
 TEST_CASE("An attribute that is not finite is named") {
@@ -176,51 +176,51 @@ TEST_CASE("An attribute that is not finite is named") {
 TEST_CASE("Policies that make no sense are refused") {
   const Mesh mesh = test::make_mesh(test::sphere(1));
   for (double ratio : {-0.1, 1.1, not_a_number, infinity}) {
-    require_refused(mesh, "quadrille::FaceRatio: the ratio", FaceRatio{ratio});
-    require_refused(mesh, "quadrille::FaceRatio", AnyOf{FaceCount{3}, AllOf{FaceRatio{ratio}}});
+    require_rejected(mesh, "quadrille::FaceRatio: the ratio", FaceRatio{ratio});
+    require_rejected(mesh, "quadrille::FaceRatio", AnyOf{FaceCount{3}, AllOf{FaceRatio{ratio}}});
   }
   for (double distance : {-1.0, -infinity, not_a_number}) {
-    require_refused(mesh, "quadrille::DistanceLimit", DistanceLimit(distance));
-    require_refused(mesh, "quadrille::DistanceLimit", DistanceLimit::relative(distance));
-    require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs(distance));
-    require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs::relative(distance));
+    require_rejected(mesh, "quadrille::DistanceLimit", DistanceLimit(distance));
+    require_rejected(mesh, "quadrille::DistanceLimit", DistanceLimit::relative(distance));
+    require_rejected(mesh, "quadrille::ThresholdPairs", ThresholdPairs(distance));
+    require_rejected(mesh, "quadrille::ThresholdPairs", ThresholdPairs::relative(distance));
   }
-  require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs(infinity));
+  require_rejected(mesh, "quadrille::ThresholdPairs", ThresholdPairs(infinity));
   for (double weight : {-1.0, not_a_number, infinity}) {
-    require_refused(mesh, "boundary_weight", Quadric{.boundary_weight = weight});
-    require_refused(mesh, "crease_weight", Quadric{.crease_weight = weight});
-    require_refused(mesh, "boundary_weight", MemorylessQuadric{.boundary_weight = weight});
+    require_rejected(mesh, "boundary_weight", Quadric{.boundary_weight = weight});
+    require_rejected(mesh, "crease_weight", Quadric{.crease_weight = weight});
+    require_rejected(mesh, "boundary_weight", MemorylessQuadric{.boundary_weight = weight});
     const auto thin_features = [&](double ThinFeatureQuadric::*member) {
       ThinFeatureQuadric cost;
       cost.*member = weight;
       return cost;
     };
-    require_refused(mesh, "boundary_weight", thin_features(&ThinFeatureQuadric::boundary_weight));
-    require_refused(mesh, "quadrille::ThinFeatureQuadric: loss_weight",
-                    thin_features(&ThinFeatureQuadric::loss_weight));
-    require_refused(mesh, "quadrille::ThinFeatureQuadric: loss_tolerance",
-                    thin_features(&ThinFeatureQuadric::loss_tolerance));
+    require_rejected(mesh, "boundary_weight", thin_features(&ThinFeatureQuadric::boundary_weight));
+    require_rejected(mesh, "quadrille::ThinFeatureQuadric: loss_weight",
+                     thin_features(&ThinFeatureQuadric::loss_weight));
+    require_rejected(mesh, "quadrille::ThinFeatureQuadric: loss_tolerance",
+                     thin_features(&ThinFeatureQuadric::loss_tolerance));
   }
   for (double degrees : {-1.0, 181.0, not_a_number})
-    require_refused(mesh, "crease_degrees", Quadric{.crease_degrees = degrees});
+    require_rejected(mesh, "crease_degrees", Quadric{.crease_degrees = degrees});
 }
 
 TEST_CASE("Weights of attributes that make no sense are refused") {
   using Cost = AttributeQuadric<1>;
   Mesh mesh = test::make_mesh(test::sphere(1));
   const auto numbers = mesh.add_property_map<Mesh::Vertex_index, double>("n").first;
-  const auto require_refused_cost = [&](const Cost& cost, const std::string& message) {
+  const auto require_rejected_cost = [&](const Cost& cost, const std::string& message) {
     CHECK_THROWS_AS(simplify(mesh, cost, parameters::vertex_attribute_map(numbers)),
                     std::invalid_argument);
     CHECK_THROWS_WITH(simplify(mesh, cost, parameters::vertex_attribute_map(numbers)),
                       Contains(message));
   };
   for (double value : {-1.0, 0.0, not_a_number, infinity}) {
-    require_refused_cost(Cost{.importance = value}, "importance");
-    require_refused_cost(Cost{.weights = Vector<1>{{value}}}, "weight");
+    require_rejected_cost(Cost{.importance = value}, "importance");
+    require_rejected_cost(Cost{.weights = Vector<1>{{value}}}, "weight");
   }
   for (double value : {-1.0, not_a_number, infinity})
-    require_refused_cost(Cost{.boundary_weight = value}, "boundary_weight");
+    require_rejected_cost(Cost{.boundary_weight = value}, "boundary_weight");
 }
 
 TEST_CASE("Filters that make no sense are refused") {
@@ -672,7 +672,7 @@ TEST_CASE("The same input gives the same output, bit for bit") {
 
 namespace {
 
-struct RefuseAll {
+struct RejectAll {
   bool allows(const auto&) const { return false; }
 };
 
@@ -688,12 +688,12 @@ struct CountCalls : Visitor {
 TEST_CASE("Visitors are asked every few hundred pairs, and cancel where all of them are refused") {
   Mesh mesh = test::make_mesh(test::torus(80, 40));
   std::size_t calls = 0;
-  Report report = run(mesh, RefuseAll{}, CGAL::parameters::visitor(CountCalls(&calls, 1000)));
+  Report report = run(mesh, RejectAll{}, CGAL::parameters::visitor(CountCalls(&calls, 1000)));
   CHECK(report.stop == StopReason::all_pairs_rejected);
   CHECK(calls >= 5); // of 9,600 pairs
   CHECK(calls <= 100);
   calls = 0;
-  report = run(mesh, RefuseAll{}, CGAL::parameters::visitor(CountCalls(&calls, 2)));
+  report = run(mesh, RejectAll{}, CGAL::parameters::visitor(CountCalls(&calls, 2)));
   CHECK(report.stop == StopReason::cancelled);
   CHECK(calls == 2);
 }

@@ -109,13 +109,13 @@ TEST_CASE("Each property of results notices what it is there for") {
           for (const auto& [a, b, c] : r.asked.soup.triangles)
             r.asked.kept.push_back({a, b});
         }) == "constraints");
-  CHECK(complaint_of([](Run& r) { r.result.report.vanished_parts = 1; }) == "topology");
+  CHECK(complaint_of([](Run& r) { r.result.report.vanished_components = 1; }) == "topology");
   CHECK(complaint_of([](Run& r) {
           std::swap(r.result.soup.triangles[5][0], r.result.soup.triangles[5][1]);
         }) == "topology");
   CHECK(complaint_of([](Run& r) {
-          r.asked.topology = Topology::parts_may_vanish;
-          r.result.report.vanished_parts = 1;
+          r.asked.topology = Topology::components_may_vanish;
+          r.result.report.vanished_components = 1;
         }) == "topology");
   CHECK(complaint_of([](Run& r) { r.result.soup.points[5][0] += 1e-12; }) == "endpoints");
 }

@@ -30,7 +30,7 @@ TEMPLATE_TEST_CASE("A constrained edge stays, with its ends", "", Mesh, Polyhedr
                    PolyMesh, TriMesh) {
   using Traits = boost::graph_traits<TestType>;
   const std::uint64_t seed = GENERATE(0u, 1u, 2u);
-  TestType mesh = convert<TestType>(as_floats(random_with_borders(seed)));
+  TestType mesh = convert<TestType>(as_floats(random_with_boundaries(seed)));
   const auto points = get(CGAL::vertex_point, mesh);
   const auto ends = [&](const auto& e) {
     return std::array{to_position(get(points, source(e, mesh))),
@@ -231,7 +231,7 @@ void check_filters() {
 
   const std::size_t before = highest_degree(soup);
   REQUIRE(before <= 10);
-  const NormalFlip turns(90, Folds::allowed);
+  const NormalFlip turns(90, FoldOvers::allowed);
   CHECK(highest_degree(Kind::run(soup, Quadric{}, stop, turns).soup) > 10);
   const Result with_degree =
       Kind::run(soup, Quadric{}, stop, turns, HighestDegree{10}, slim.onlooker());

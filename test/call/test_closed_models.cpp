@@ -161,7 +161,7 @@ TEMPLATE_TEST_CASE("From one contraction to the next no face turns over", "", Qu
   std::vector<Model> models = read_models({"eight", "nefertiti"});
   models.push_back({"flat faces", test::make_mesh(test::plate_with_holes(1, 3))});
   models.push_back({"noise", test::make_mesh(test::random_closed(2))});
-  models.push_back({"holes", test::make_mesh(test::random_with_borders(3))});
+  models.push_back({"holes", test::make_mesh(test::random_with_boundaries(3))});
   for (const Model& model : models) {
     CAPTURE(model.name);
     Mesh before = model.mesh;

@@ -89,7 +89,7 @@ struct Listening {
   }
 };
 
-const Soup soup = test::random_with_borders(3), closed = test::sphere(3);
+const Soup soup = test::random_with_boundaries(3), closed = test::sphere(3);
 
 } // namespace
 
@@ -162,11 +162,12 @@ TEST_CASE("Shared points of the compiled library are those of the named paramete
   for (std::size_t v = 0; v < soup.points.size(); v += 2)
     options.shared[v] = true;
   for (const auto& t : soup.triangles)
-    options.borders.push_back({t[0], t[1]});
+    options.boundaries.push_back({t[0], t[1]});
   const auto is_shared = boost::make_function_property_map<std::size_t>(
       [](std::size_t v) -> bool { return v % 2 == 0; });
-  check(soup, options, Quadric{}, CostLimit{1e-3},
-        parameters::vertex_is_shared_map(is_shared, parameters::border_edges(options.borders)));
+  check(
+      soup, options, Quadric{}, CostLimit{1e-3},
+      parameters::vertex_is_shared_map(is_shared, parameters::boundary_edges(options.boundaries)));
   Arrays arrays(soup);
   options.shared.pop_back();
   CHECK_THROWS_AS(simplify_soup(arrays.points, arrays.triangles, options), std::invalid_argument);
@@ -228,13 +229,13 @@ TEST_CASE("Fixed points stay, and the images tell what became of the others") {
   SoupOptions options = options_to(60);
   options.fixed.assign(result.points.size(), false);
   options.fixed[7] = true;
-  std::vector<std::size_t> image;
-  simplify_soup(result.points, result.triangles, options, &image);
-  REQUIRE(image.size() == soup.points.size());
-  REQUIRE(image[7] < result.points.size());
+  std::vector<std::size_t> vertex_map;
+  simplify_soup(result.points, result.triangles, options, &vertex_map);
+  REQUIRE(vertex_map.size() == soup.points.size());
+  REQUIRE(vertex_map[7] < result.points.size());
   const auto& p = soup.points[7];
-  CHECK(result.points[image[7]] == std::array{p[0], p[1], p[2]});
-  for (std::size_t i : image)
+  CHECK(result.points[vertex_map[7]] == std::array{p[0], p[1], p[2]});
+  for (std::size_t i : vertex_map)
     CHECK((i < result.points.size() || i == parameters::vanished));
 }
 
@@ -243,13 +244,13 @@ TEST_CASE("The compiled library is cancelled before it has begun, and the soup s
   SoupOptions options = options_to(60);
   std::size_t calls = 0;
   options.proceed = [&](const Status&) { return ++calls < 2; };
-  std::vector<std::size_t> image;
-  CHECK(simplify_soup(result.points, result.triangles, options, &image).stop ==
+  std::vector<std::size_t> vertex_map;
+  CHECK(simplify_soup(result.points, result.triangles, options, &vertex_map).stop ==
         StopReason::cancelled);
   const bool is_same = result == Arrays(soup);
   CHECK(is_same);
-  REQUIRE(image.size() == soup.points.size());
-  CHECK(image[5] == 5);
+  REQUIRE(vertex_map.size() == soup.points.size());
+  CHECK(vertex_map[5] == 5);
 }
 
 TEST_CASE("The compiled library refuses options that make no sense") {

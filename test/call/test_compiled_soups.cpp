@@ -153,7 +153,7 @@ SoupOptions options_of(SoupOptions::Cost cost) {
   return options;
 }
 
-const test::Soup surface = test::random_with_borders(3); // with vertices of several fans
+const test::Soup surface = test::random_with_boundaries(3); // with vertices of several fans
 const Carrying in_charts = carrying(test::random_charts(surface, 5), 1);
 const Carrying torn = carrying(test::random_corners(surface, 6), 2);
 
@@ -171,7 +171,7 @@ TEST_CASE("Each cost of the compiled library takes labels and channels along") {
 }
 
 TEST_CASE("Options of channels are those of the templates") {
-  const Channels channels{{.importance = 3, .weights = {2, 0.5}, .border_weight = 1},
+  const Channels channels{{.importance = 3, .weights = {2, 0.5}, .chart_boundary_weight = 1},
                           {.seams = Seams::free, .new_values = NewValues::recomputed},
                           {.new_values = NewValues::existing},
                           {.seams = Seams::kept}};
@@ -211,7 +211,7 @@ TEST_CASE("The weight of borders between labels is an option") {
   simplify(expected.points, expected.triangles, FaceCount{60},
            Labels{CGAL::make_property_map(expected.labels), 30});
   SoupOptions options = options_of(SoupOptions::Cost::quadric);
-  options.label_border_weight = 30;
+  options.region_boundary_weight = 30;
   const SoupResult result =
       simplified_soup({in_charts.points, in_charts.triangles, in_charts.labels, {}}, options);
   CHECK(result.points == expected.points);
@@ -265,7 +265,7 @@ TEST_CASE("Of a soup without triangles nothing is left") {
     CHECK(channel.triangles.empty());
   }
   CHECK(result.channels[1].components == 3);
-  CHECK(result.image.size() == in_charts.points.size());
+  CHECK(result.vertex_map.size() == in_charts.points.size());
 }
 
 TEST_CASE("Parts of a soup with labels may vanish in the compiled library, recorded or not") {
@@ -278,12 +278,12 @@ TEST_CASE("Parts of a soup with labels may vanish in the compiled library, recor
   std::vector<std::uint32_t> labels = in_charts.labels;
   labels.push_back(labels.back());
   SoupOptions options = options_of(SoupOptions::Cost::quadric);
-  options.topology = Topology::parts_may_vanish;
+  options.topology = Topology::components_may_vanish;
   const SoupResult without = simplified_soup({points, triangles, labels, {}}, options);
   Levels levels;
   options.recorder = record_into(levels);
   const SoupResult with = simplified_soup({points, triangles, labels, {}}, options);
-  CHECK(without.report.vanished_parts == 1);
+  CHECK(without.report.vanished_components == 1);
   CHECK(with.points == without.points);
   CHECK(levels.coarsest().faces == without.triangles.size());
 }
@@ -320,7 +320,7 @@ TEST_CASE("A soup that carries nothing has levels, and is the same with them and
     const SoupResult with = simplified_soup(soup, options);
     CHECK(with.points == without.points);
     CHECK(with.triangles == without.triangles);
-    CHECK(with.image == without.image);
+    CHECK(with.vertex_map == without.vertex_map);
     const Level level = in_input_order(levels.at(FaceCount{60}));
     CHECK(level.points == with.points);
   }
@@ -346,7 +346,7 @@ TEST_CASE("Points that are split at seams are one vertex in the compiled library
   CHECK(result.points == left);
   CHECK(result.triangles == triangles);
   CHECK(values_of<2>(result.channels.at(0)) == uv);
-  CHECK(result.image.empty());
+  CHECK(result.vertex_map.empty());
   CHECK(result.report.contractions > 10);
 }
 
@@ -359,7 +359,7 @@ TEST_CASE("A soup that is cancelled at once comes back whole") {
   CHECK(is_same);
   REQUIRE(result.input_faces.size() == torn.triangles.size());
   CHECK(result.input_faces.back() == torn.triangles.size() - 1);
-  CHECK(result.image.back() == torn.points.size() - 1);
+  CHECK(result.vertex_map.back() == torn.points.size() - 1);
 }
 
 TEST_CASE("What is wrong with a soup is told by its name") {
@@ -368,35 +368,35 @@ TEST_CASE("What is wrong with a soup is told by its name") {
     CHECK_THROWS_AS(simplified_soup(view, options), std::invalid_argument);
   };
   const SoupOptions options = options_of(SoupOptions::Cost::quadric);
-  const auto channel_is_refused = [&](std::size_t c, auto change, const char* what) {
+  const auto channel_is_rejected = [&](std::size_t c, auto change, const char* what) {
     SoupView view = view_of(torn);
     change(view.channels[c]);
     refused(view, options, what);
   };
-  channel_is_refused(
+  channel_is_rejected(
       0, [](auto& c) { c.components = 3; },
       "channel 0 has 3 components, which its kind does not allow");
-  channel_is_refused(
+  channel_is_rejected(
       3, [](auto& c) { c.components = 0; }, "channel 3 has 0 components");
-  channel_is_refused(
+  channel_is_rejected(
       2, [](auto& c) { c.values = c.values.first(4); }, "channel 2 has 4 numbers");
-  channel_is_refused(
+  channel_is_rejected(
       2, [](auto& c) { c.values = c.values.first(3); }, "channel 2 has 1 values for");
-  channel_is_refused(
+  channel_is_rejected(
       1, [](auto& c) { c.triangles = c.triangles.first(2); }, "channel 1 has index triples for 2");
-  channel_is_refused(
+  channel_is_rejected(
       1, [](auto& c) { c.values = c.values.first(3); }, "names value 1 of 1 of a channel");
-  channel_is_refused(
+  channel_is_rejected(
       0, [](auto& c) { c.options.weights = {1}; }, "channel 0 has 2 components and 1 weights");
-  channel_is_refused(
+  channel_is_rejected(
       0, [](auto& c) { c.options.new_values = NewValues::existing; }, "would tear");
-  channel_is_refused(
+  channel_is_rejected(
       0, [](auto& c) { c.options.new_values = NewValues::recomputed; }, "does not contain normals");
-  channel_is_refused(
+  channel_is_rejected(
       0, [](auto& c) { c.options.new_values = NewValues::weights; }, "does not contain attributes");
-  channel_is_refused(
+  channel_is_rejected(
       0, [](auto& c) { c.options.linear_light = true; }, "does not contain colours");
-  channel_is_refused(
+  channel_is_rejected(
       0, [](auto& c) { c.options.importance = 0; }, "importance");
   Carrying infinite = torn;
   infinite.colors[7][1] = std::numeric_limits<double>::infinity();

@@ -164,7 +164,7 @@ TEST_CASE("a part vanishes later that has an important vertex") {
     std::vector<double> importance(two.points.size(), 1);
     importance[is_second ? one.points.size() + 3 : 3] = 100;
     const Soup result =
-        simplified(two, FaceCount{4}, Topology::parts_may_vanish, important(importance));
+        simplified(two, FaceCount{4}, Topology::components_may_vanish, important(importance));
     REQUIRE(!result.points.empty());
     CHECK((result.points.front()[0] > 2) == is_second);
   }

@@ -38,8 +38,8 @@ std::vector<Surface> surfaces() {
   return {{"sphere", test::random_closed(0)},
           {"torus", test::random_closed(1)},
           {"genus 2", test::random_closed(2)},
-          {"sheet", test::random_with_borders(3)},
-          {"with holes", test::random_with_borders(4)}};
+          {"sheet", test::random_with_boundaries(3)},
+          {"with holes", test::random_with_boundaries(4)}};
 }
 
 template <class Cost>

@@ -60,7 +60,7 @@ namespace {
 
 // Has every vertex of the input an image, has each of the result itself or a part, and do faces of
 // the input go to faces, edges and vertices of the result?
-void check_images(const Soup& before, const std::vector<std::size_t>& images, const Soup& after) {
+void check_map(const Soup& before, const std::vector<std::size_t>& images, const Soup& after) {
   REQUIRE(images.size() == before.points.size());
   std::set<std::size_t> reached;
   for (std::size_t v = 0; v < images.size(); ++v) {
@@ -81,7 +81,7 @@ void check_images(const Soup& before, const std::vector<std::size_t>& images, co
 }
 
 template <class... Arguments>
-void check_images_of_soup(const Soup& input, const Arguments&... arguments) {
+void check_map_of_soup(const Soup& input, const Arguments&... arguments) {
   PointSoup soup(input);
   std::vector<std::size_t> images(input.points.size(), 12345);
   simplify(soup.points, soup.triangles, arguments...,
@@ -89,11 +89,11 @@ void check_images_of_soup(const Soup& input, const Arguments&... arguments) {
   Soup after{{}, soup.triangles};
   for (const Point& p : soup.points)
     after.points.push_back(to_position(p));
-  check_images(input, images, after);
+  check_map(input, images, after);
 }
 
 template <class... Arguments>
-void check_images_of_mesh(const Soup& input, const Arguments&... arguments) {
+void check_map_of_mesh(const Soup& input, const Arguments&... arguments) {
   using Vertex = Mesh::Vertex_index;
   Mesh mesh = make_mesh(input);
   std::map<Vertex, Vertex> images;
@@ -107,7 +107,7 @@ void check_images_of_mesh(const Soup& input, const Arguments&... arguments) {
   std::vector<std::size_t> by_number;
   for (const auto& [v, image] : images)
     by_number.push_back(number.at(image));
-  check_images(input, by_number, to_soup(mesh));
+  check_map(input, by_number, to_soup(mesh));
 }
 
 } // namespace
@@ -116,11 +116,11 @@ TEST_CASE("vertex_to_vertex_map tells what became of each vertex") {
   for (const Soup& soup : {sphere(2), with_noise(torus(160, 80), 1, 0.01),
                            with_holes(with_noise(torus(60, 40), 1, 0.01), 1, 20)}) {
     for (const double ratio : {1.0, 0.5, 0.1}) { // the larger ones are renumbered, and packed
-      check_images_of_soup(soup, FaceRatio{ratio});
-      check_images_of_soup(soup, FaceRatio{ratio}, RelaxedOrder{});
-      check_images_of_soup(soup, FaceRatio{ratio}, Topology::free);
-      check_images_of_mesh(soup, FaceRatio{ratio});
-      check_images_of_mesh(soup, FaceRatio{ratio}, RelaxedOrder{});
+      check_map_of_soup(soup, FaceRatio{ratio});
+      check_map_of_soup(soup, FaceRatio{ratio}, RelaxedOrder{});
+      check_map_of_soup(soup, FaceRatio{ratio}, Topology::free);
+      check_map_of_mesh(soup, FaceRatio{ratio});
+      check_map_of_mesh(soup, FaceRatio{ratio}, RelaxedOrder{});
     }
   }
 }
@@ -136,9 +136,9 @@ TEST_CASE("vertex_to_vertex_map tells of a surface in no order") {
   for (auto& triangle : mixed.triangles)
     for (auto& v : triangle)
       v = place[v];
-  check_images_of_soup(mixed, FaceRatio{0.1});
-  check_images_of_soup(mixed, FaceRatio{0.1}, RelaxedOrder{});
-  check_images_of_mesh(mixed, FaceRatio{0.1});
+  check_map_of_soup(mixed, FaceRatio{0.1});
+  check_map_of_soup(mixed, FaceRatio{0.1}, RelaxedOrder{});
+  check_map_of_mesh(mixed, FaceRatio{0.1});
 }
 
 TEST_CASE("A vertex without a face has vanished") {
@@ -206,8 +206,8 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
     CHECK(get_parameter(named, parameters::face_is_selected) == 2);
     CHECK(get_parameter(named, parameters::vertex_tolerance) == 3);
     CHECK(get_parameter(named, parameters::vertex_is_shared) == 4);
-    CHECK(get_parameter(named, parameters::edge_is_border) == 5);
-    CHECK(get_parameter(named, parameters::border_edges_tag) == 6);
+    CHECK(get_parameter(named, parameters::edge_is_boundary) == 5);
+    CHECK(get_parameter(named, parameters::boundary_edges_tag) == 6);
     CHECK(get_parameter(named, parameters::bounding_box_tag).xmax() == 7);
     CHECK(get_parameter(named, parameters::vertex_attribute) == 8);
     CHECK(get_parameter(named, parameters::vertex_quadric) == 9);
@@ -221,8 +221,8 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
             .face_is_selected_map(2)
             .vertex_tolerance_map(3)
             .vertex_is_shared_map(4)
-            .edge_is_border_map(5)
-            .border_edges(6)
+            .edge_is_boundary_map(5)
+            .boundary_edges(6)
             .bounding_box({0, 0, 0, 7, 7, 7})
             .vertex_attribute_map(8)
             .vertex_quadric_map(9)
@@ -235,8 +235,8 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
                                           .vertex_quadric_map(9)
                                           .vertex_attribute_map(8)
                                           .bounding_box({0, 0, 0, 7, 7, 7})
-                                          .border_edges(6)
-                                          .edge_is_border_map(5)
+                                          .boundary_edges(6)
+                                          .edge_is_boundary_map(5)
                                           .vertex_is_shared_map(4)
                                           .vertex_tolerance_map(3)
                                           .face_is_selected_map(2)

@@ -38,7 +38,7 @@ Soup terrain() {
 struct Half {
   Soup soup;
   std::vector<bool> is_shared;
-  std::vector<std::array<std::size_t, 2>> borders; // between shared points
+  std::vector<std::array<std::size_t, 2>> boundaries; // between shared points
 };
 
 // The faces whose middle is left or right of a line that is not straight.
@@ -66,7 +66,7 @@ std::array<Half, 2> halves(const Soup& soup) {
     for (const auto& [edge, count] : faces)
       if (count == 1 && number.count(edge[0]) && number.count(edge[1]) &&
           result[side].is_shared[number[edge[0]]] && result[side].is_shared[number[edge[1]]])
-        result[side].borders.push_back({number[edge[0]], number[edge[1]]});
+        result[side].boundaries.push_back({number[edge[0]], number[edge[1]]});
     result[side].soup = without_isolated_points(sides[side]);
   }
   return result;
@@ -88,8 +88,8 @@ Half as_met(const Half& half) {
     }
     result.soup.triangles.push_back(t);
   }
-  for (const auto& [v, w] : half.borders)
-    result.borders.push_back({number[v], number[w]});
+  for (const auto& [v, w] : half.boundaries)
+    result.boundaries.push_back({number[v], number[w]});
   return result;
 }
 
@@ -132,7 +132,7 @@ Report simplify_half(Soup& soup, const Half& half, const CGAL::Bbox_3& box) {
       soup.points, soup.triangles, CostLimit{limit},
       parameters::vertex_is_shared_map(
           map_of(half.is_shared),
-          parameters::border_edges(half.borders, parameters::bounding_box(box))));
+          parameters::boundary_edges(half.boundaries, parameters::bounding_box(box))));
 }
 
 } // namespace
@@ -141,7 +141,7 @@ TEST_CASE("Two halves of a soup fit after each has been simplified by itself") {
   const Soup whole = terrain();
   const CGAL::Bbox_3 box = box_of(whole);
   auto pieces = halves(whole);
-  REQUIRE(pieces[0].borders == pieces[1].borders);
+  REQUIRE(pieces[0].boundaries == pieces[1].boundaries);
   std::array<Soup, 2> left{pieces[0].soup, pieces[1].soup};
   for (std::size_t side = 0; side < 2; ++side) {
     const Report report = simplify_half(left[side], pieces[side], box);
@@ -159,20 +159,20 @@ TEST_CASE("The halves of a mesh are left as those of a soup") {
     Soup soup = half.soup;
     simplify_half(soup, half, box);
     Mesh mesh = test::make_mesh(half.soup);
-    std::set<std::array<std::size_t, 2>> borders;
-    for (auto [v, w] : half.borders)
-      borders.insert({std::min(v, w), std::max(v, w)});
+    std::set<std::array<std::size_t, 2>> boundaries;
+    for (auto [v, w] : half.boundaries)
+      boundaries.insert({std::min(v, w), std::max(v, w)});
     const auto is_border =
         boost::make_function_property_map<Mesh::Edge_index>([&](const Mesh::Edge_index& e) -> bool {
           const std::size_t v = source(e, mesh), w = target(e, mesh);
-          return borders.count({std::min(v, w), std::max(v, w)}) > 0;
+          return boundaries.count({std::min(v, w), std::max(v, w)}) > 0;
         });
     const auto is_shared = boost::make_function_property_map<Mesh::Vertex_index>(
         [&](const Mesh::Vertex_index& v) -> bool { return half.is_shared[v]; });
     simplify<MemorylessQuadric>(
         mesh, CostLimit{limit},
         parameters::vertex_is_shared_map(
-            is_shared, parameters::edge_is_border_map(is_border, parameters::bounding_box(box))));
+            is_shared, parameters::edge_is_boundary_map(is_border, parameters::bounding_box(box))));
     mesh.collect_garbage();
     CHECK(is_same_surface(test::to_soup(mesh), soup, 0));
   }
@@ -201,12 +201,12 @@ TEST_CASE("Points of one place share what one of them does, where vertices are s
   const Half half = as_met(halves(terrain())[1]);
   Soup split;
   std::vector<bool> is_shared;
-  std::vector<std::array<std::size_t, 2>> borders;
+  std::vector<std::array<std::size_t, 2>> boundaries;
   for (const auto& t : half.soup.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      for (const auto& [v, w] : half.borders)
+      for (const auto& [v, w] : half.boundaries)
         if ((t[i] == v && t[(i + 1) % 3] == w) || (t[i] == w && t[(i + 1) % 3] == v))
-          borders.push_back({split.points.size() + i, split.points.size() + (i + 1) % 3});
+          boundaries.push_back({split.points.size() + i, split.points.size() + (i + 1) % 3});
     }
     const auto first = static_cast<std::uint32_t>(split.points.size());
     for (const std::uint32_t v : t) {
@@ -221,7 +221,8 @@ TEST_CASE("Points of one place share what one of them does, where vertices are s
   simplify<MemorylessQuadric>(
       split.points, split.triangles, CostLimit{limit}, SplitVertices{},
       parameters::vertex_is_shared_map(
-          map_of(is_shared), parameters::border_edges(borders, parameters::bounding_box(box))));
+          map_of(is_shared),
+          parameters::boundary_edges(boundaries, parameters::bounding_box(box))));
   CHECK(is_same_surface(split, soup, 0));
 }
 
@@ -250,7 +251,7 @@ TEST_CASE(
   refuses(parameters::bounding_box({0, 0, 0, infinity, 1, 1}), "is not a box");
   refuses(parameters::bounding_box(CGAL::Bbox_3()), "is not a box"); // it is empty
   using Edges = std::vector<std::array<int, 2>>;
-  refuses(parameters::border_edges(Edges{{0, 1}, {0, 9999}}),
-          "edge 1 of border_edges refers to point 9999 of 861");
-  refuses(parameters::border_edges(Edges{{-1, 1}}), "names point -1");
+  refuses(parameters::boundary_edges(Edges{{0, 1}, {0, 9999}}),
+          "edge 1 of boundary_edges refers to point 9999 of 861");
+  refuses(parameters::boundary_edges(Edges{{-1, 1}}), "names point -1");
 }

@@ -70,7 +70,7 @@ Call make_call(Bytes& bytes, std::size_t faces) {
   const std::uint8_t topology = bytes.byte();
   call.topology = topology % 2 == 1 ? Topology::free
                   : topology < 128  ? Topology::kept
-                                    : Topology::parts_may_vanish;
+                                    : Topology::components_may_vanish;
   call.stop = make_stop(bytes, faces);
   if (bytes.one_in(2))
     call.relaxed = RelaxedOrder{.share = (1.0 + bytes.byte()) / 256, .refresh = bytes.one_in(2)};
@@ -97,13 +97,13 @@ Call make_call(Bytes& bytes, std::size_t faces) {
 // Takes out about one face in `step`, no two that touch.
 Soup with_holes_apart(Soup soup, std::uint64_t seed, std::size_t step) {
   Random random(seed);
-  std::vector<bool> is_beside(soup.points.size(), false);
+  std::vector<bool> is_next_to(soup.points.size(), false);
   std::erase_if(soup.triangles, [&](const Triangle& t) {
-    const auto is_used = [&](std::uint32_t v) -> bool { return is_beside[v]; };
+    const auto is_used = [&](std::uint32_t v) -> bool { return is_next_to[v]; };
     if (random.below(step) > 0 || std::any_of(t.begin(), t.end(), is_used))
       return false;
     for (std::uint32_t v : t)
-      is_beside[v] = true;
+      is_next_to[v] = true;
     return true;
   });
   return soup;
@@ -144,7 +144,7 @@ double make_coordinate(Bytes& bytes, bool is_any) {
 }
 
 // Points and triangles of any kind, at the base or beside it.
-void add_parts(Bytes& bytes, Soup& soup) {
+void add_components(Bytes& bytes, Soup& soup) {
   const bool is_any = bytes.one_in(16);
   for (std::size_t n = bytes.below(24); n > 0; --n) {
     const double x = make_coordinate(bytes, is_any), y = make_coordinate(bytes, is_any);
@@ -221,7 +221,7 @@ void make_numbers(Bytes& bytes, Case& result) {
   }
   if (bytes.one_in(4))
     result.weights = {std::ldexp(1.0, bytes.byte() - 128), 1 / 16.0};
-  result.may_be_refused = is_any || result.weights;
+  result.may_be_rejected = is_any || result.weights;
   result.call.cost = CostName::attributes;
 }
 
@@ -230,7 +230,7 @@ Case make_case_without_channels(Bytes& bytes, int size) {
   Soup& soup = result.soup;
   soup = make_base(bytes, bytes.one_in(4) ? 4 * size : size); // passes need larger ones
   if (!bytes.one_in(2)) {                                     // else a mesh can be made of most
-    add_parts(bytes, soup);
+    add_components(bytes, soup);
     change(bytes, soup);
   }
   deform(bytes, soup);
@@ -466,7 +466,7 @@ std::string violation(const Case& input) {
     return outcome.triangles == input.soup.triangles ? ""
                                                      : "too many pairs, and the soup has changed";
   } catch (const std::invalid_argument& error) {
-    if (!is_bad(input) && !input.may_be_refused)
+    if (!is_bad(input) && !input.may_be_rejected)
       return std::string("good input is refused: ") + error.what();
     return outcome.triangles == input.soup.triangles ? "" : "thrown, and the soup has changed";
   } catch (const std::logic_error& error) {

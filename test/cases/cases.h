@@ -120,7 +120,7 @@ struct Case {
   std::vector<std::array<std::uint32_t, 2>> kept; ///< constrained edges, for a mesh only
   std::uint64_t seed = 0;         ///< of labels and of values at corners, for `channels`
   std::optional<Numbers> weights; ///< of the numbers; the cost's own without them
-  bool may_be_refused = false;    ///< the numbers may be no lengths
+  bool may_be_rejected = false;   ///< the numbers may be no lengths
   bool is_mesh = false; ///< a Surface_mesh and no soup; the soup is manifold and oriented then
   Call call;
 };

@@ -519,7 +519,7 @@ TEST_CASE("All kinds of points and triangles") {
 
 namespace {
 
-void check_refusal(const Soup& input, const ClusterCells& cells, const std::string& message) {
+void check_rejection(const Soup& input, const ClusterCells& cells, const std::string& message) {
   CAPTURE(message);
   for (ClusterPlacement placement : {mean, quadric}) {
     std::vector<Position> points = input.points;
@@ -550,25 +550,25 @@ TEST_CASE("Bad input is refused, and the soup is as it was") {
 
   Soup soup = sphere;
   soup.triangles[5] = {1, 2, 66};
-  check_refusal(soup, grid, "face 5 names point 66 of 66");
+  check_rejection(soup, grid, "face 5 names point 66 of 66");
   soup = sphere;
   soup.points[9][1] = std::numeric_limits<double>::quiet_NaN();
-  check_refusal(soup, grid, "point 9 is not finite");
+  check_rejection(soup, grid, "point 9 is not finite");
   soup.points[9][1] = -std::numeric_limits<double>::infinity();
-  check_refusal(soup, grid, "point 9 is not finite");
+  check_rejection(soup, grid, "point 9 is not finite");
 
-  check_refusal(sphere, Grid{3, 0, 2}, "a grid of 3 x 0 x 2 cells is empty");
-  check_refusal(sphere, Grid{std::size_t{1} << 53, 1, 1},
-                "9007199254740992 x 1 x 1 cells are too many");
-  check_refusal(sphere, Grid{std::size_t{1} << 32, std::size_t{1} << 30, 4},
-                "4294967296 x 1073741824 x 4 cells are too many");
-  check_refusal(sphere, CellSize{0}, "CellSize 0 is not positive and finite");
-  check_refusal(sphere, CellSize{-1}, "CellSize -1 is not positive and finite");
-  check_refusal(sphere, CellSize{std::numeric_limits<double>::infinity()},
-                "CellSize inf is not positive and finite");
-  check_refusal(sphere, CellSize{std::numeric_limits<double>::quiet_NaN()},
-                "CellSize nan is not positive and finite");
-  check_refusal(
+  check_rejection(sphere, Grid{3, 0, 2}, "a grid of 3 x 0 x 2 cells is empty");
+  check_rejection(sphere, Grid{std::size_t{1} << 53, 1, 1},
+                  "9007199254740992 x 1 x 1 cells are too many");
+  check_rejection(sphere, Grid{std::size_t{1} << 32, std::size_t{1} << 30, 4},
+                  "4294967296 x 1073741824 x 4 cells are too many");
+  check_rejection(sphere, CellSize{0}, "CellSize 0 is not positive and finite");
+  check_rejection(sphere, CellSize{-1}, "CellSize -1 is not positive and finite");
+  check_rejection(sphere, CellSize{std::numeric_limits<double>::infinity()},
+                  "CellSize inf is not positive and finite");
+  check_rejection(sphere, CellSize{std::numeric_limits<double>::quiet_NaN()},
+                  "CellSize nan is not positive and finite");
+  check_rejection(
       test::cube(2), CellSize{0x1p-60},
       "1152921504606846976 x 1152921504606846976 x 1152921504606846976 cells are too many");
 

@@ -12,4 +12,4 @@ struct OfIndices {
 };
 
 // As simplify_file does for its cost.
-const bool has_state = quadrille::internal::PieceOfPart<OfIndices>::has_state; // mistake
+const bool has_state = quadrille::internal::ChunkConversion<OfIndices>::has_state; // mistake

@@ -13,7 +13,7 @@ using namespace quadrille;
 
 // As simplify_file does for its policies.
 template <class Placement, class... Policies>
-constexpr std::size_t size = sizeof(internal::PartRunner<Quadric, Placement, Policies...>);
+constexpr std::size_t size = sizeof(internal::ChunkRunner<Quadric, Placement, Policies...>);
 
 #ifdef REMEDY
 constexpr std::size_t of_remedy = size<OptimalPlacement>;

@@ -222,7 +222,7 @@ TEST_CASE(
     "The condition holds for exactly those edges of which the contraction keeps the topology") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 12));
   CAPTURE(seed);
-  const Soup soup = seed < 4 ? test::random_closed(seed) : test::random_with_borders(seed);
+  const Soup soup = seed < 4 ? test::random_closed(seed) : test::random_with_boundaries(seed);
   const test::SoupTopology before = test::topology_of(soup);
   TriangleComplex complex(soup.points.size(), test::array_of(soup.triangles));
   VertexLabels labels(complex.vertex_capacity());

@@ -43,7 +43,7 @@ TEST_CASE("The image of an origin is where its merges end, in whatever order one
     numbers.use_input_indices();
     for (std::size_t question = 0; question < 5000; ++question) {
       const auto v = static_cast<Index>(random.below(vertices));
-      REQUIRE(numbers.image(vertices - 1 - v) == vertices - 1 - ends[v]);
+      REQUIRE(numbers.merged_vertex(vertices - 1 - v) == vertices - 1 - ends[v]);
     }
   }
 }
@@ -56,6 +56,6 @@ TEST_CASE("All images of a long chain of merges take about linear time") {
     numbers.merge(v + 1, v);
   bool is_right = true;
   for (Index origin = vertices; origin-- > 0;)
-    is_right &= numbers.image(origin) == 0;
+    is_right &= numbers.merged_vertex(origin) == 0;
   CHECK(is_right);
 }

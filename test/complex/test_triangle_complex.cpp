@@ -211,13 +211,13 @@ TEST_CASE("Images are told by origins, whether merges were or not") {
   numbering.merge(1, 0); // by origins, 3 into 1
   numbering.merge(2, 1); // 1 into 0
   numbering.use_input_indices();
-  CHECK(numbering.image(3) == 0);
-  CHECK(numbering.image(1) == 0);
-  CHECK(numbering.image(0) == 0);
-  CHECK(numbering.image(2) == 2);
+  CHECK(numbering.merged_vertex(3) == 0);
+  CHECK(numbering.merged_vertex(1) == 0);
+  CHECK(numbering.merged_vertex(0) == 0);
+  CHECK(numbering.merged_vertex(2) == 2);
   numbering.vertices.pack({2, 3}); // 0 and 2
   numbering.merge(1, 0);           // 0 into 2
-  CHECK(numbering.image(3) == 2);
+  CHECK(numbering.merged_vertex(3) == 2);
 }
 
 TEST_CASE("More faces or vertices than 32 bits can number are refused with their numbers") {

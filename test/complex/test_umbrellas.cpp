@@ -72,7 +72,7 @@ Umbrellas build(const std::vector<Triangle>& triangles, std::size_t vertices) {
     std::size_t open_umbrellas = 0;
     for (Index c : at_v)
       open_umbrellas += u.mate(c) == none; // the last corner of its umbrella
-    CHECK(u.is_on_border(v) == (open_umbrellas > 0));
+    CHECK(u.is_on_boundary(v) == (open_umbrellas > 0));
     // Turning from the first corner reaches all of them, if there is only one umbrella.
     std::set<Index> reached;
     for (Index c : at_v)
@@ -84,7 +84,7 @@ Umbrellas build(const std::vector<Triangle>& triangles, std::size_t vertices) {
 
   // The border: each open side has one that follows it and one before it, at the same vertex.
   std::set<Index> followed, following;
-  for (const auto& [in, out] : u.border_links()) {
+  for (const auto& [in, out] : u.boundary_links()) {
     CHECK(followed.insert(in).second);
     CHECK(following.insert(out).second);
     CHECK(u.vertex(side_before(in)) == u.vertex(out)); // where the other half of `in` leads to
@@ -137,12 +137,12 @@ std::vector<Triangle> operator+(std::vector<Triangle> a, const std::vector<Trian
 TEST_CASE("A closed surface has mates everywhere and no border") {
   const Umbrellas u = build(test::tetrahedron().triangles, 4);
   CHECK(u.duplicates().empty());
-  CHECK(u.border_links().empty());
+  CHECK(u.boundary_links().empty());
 }
 
 TEST_CASE("The border of a triangle runs round it") {
   const Umbrellas u = build({{0, 1, 2}}, 3);
-  CHECK(u.border_links().size() == 3);
+  CHECK(u.boundary_links().size() == 3);
   CHECK(u.duplicates().empty());
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("Open umbrellas share a vertex, and the border leads from one to the n
   const Umbrellas u = build({{0, 2, 1}, {0, 3, 4}}, 5);
   CHECK(u.duplicates().empty());
   // Both borders are one loop of six sides: 0 → 1 → 2 → 0 → 4 → 3 → 0, or the other way round.
-  std::map<Index, Index> follows(u.border_links().begin(), u.border_links().end());
+  std::map<Index, Index> follows(u.boundary_links().begin(), u.boundary_links().end());
   std::set<Index> loop;
   for (Index s = 0; loop.insert(s).second;)
     s = follows.at(s);
@@ -260,6 +260,6 @@ TEST_CASE("A fan of 200,000 faces is one umbrella") {
   Umbrellas u;
   u.build(sides_of(triangles), faces + 1, [](Index, Index) { return false; });
   CHECK(u.duplicates().empty());
-  CHECK_FALSE(u.is_on_border(0));
-  CHECK(u.border_links().size() == faces);
+  CHECK_FALSE(u.is_on_boundary(0));
+  CHECK(u.boundary_links().size() == faces);
 }

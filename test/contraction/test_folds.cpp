@@ -40,7 +40,7 @@ std::size_t folded_faces(const Mesh& mesh) {
 }
 
 template <class Cost, class... Order>
-std::size_t folds_after(Mesh mesh, const NormalFlip& filter, const Order&... order) {
+std::size_t fold_overs_after(Mesh mesh, const NormalFlip& filter, const Order&... order) {
   simplify<Cost, OptimalPlacement>(mesh, FaceRatio{0.1}, filter, order...);
   return folded_faces(mesh);
 }
@@ -56,9 +56,9 @@ struct Count {
 };
 
 template <class Cost, class... Order>
-Count folds_of(const Mesh& mesh, const Order&... order) {
-  return {folds_after<Cost>(mesh, NormalFlip(90, Folds::allowed), order...),
-          folds_after<Cost>(mesh, NormalFlip(90), order...)};
+Count fold_overs_of(const Mesh& mesh, const Order&... order) {
+  return {fold_overs_after<Cost>(mesh, NormalFlip(90, FoldOvers::allowed), order...),
+          fold_overs_after<Cost>(mesh, NormalFlip(90), order...)};
 }
 
 void require_few(const Count& folds, double share) {
@@ -76,12 +76,12 @@ TEST_CASE("Folds that many small turns make are refused") {
   Count memoryless{0, 0}, relaxed{0, 0};
   for (const Mesh* mesh : {&armadillo, &lion}) {
     REQUIRE(folded_faces(*mesh) == 0);
-    require_few(folds_of<Quadric>(*mesh), 0.5);
+    require_few(fold_overs_of<Quadric>(*mesh), 0.5);
     const test::Soup soup = test::to_soup(*mesh);
     for (std::uint64_t seed = 0; seed < 16; ++seed) {
       const Mesh copy = test::make_mesh(test::with_noise(soup, seed, 1e-6 * test::diagonal(soup)));
-      memoryless += folds_of<MemorylessQuadric>(copy);
-      relaxed += folds_of<Quadric>(copy, RelaxedOrder{});
+      memoryless += fold_overs_of<MemorylessQuadric>(copy);
+      relaxed += fold_overs_of<Quadric>(copy, RelaxedOrder{});
     }
   }
   require_few(memoryless, 0.67);

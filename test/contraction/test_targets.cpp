@@ -178,7 +178,7 @@ TEST_CASE("A trunk keeps its shape beside leaves, whatever the target") {
                         test::mapped(test::grid(1, 1), [](const Position& p) { return 0.05 * p; }),
                         {{random(-1, 1), random(-1, 1), random(2.2, 4)}});
   const auto ratio = GENERATE(0.5, 0.3, 0.2);
-  const auto topology = GENERATE(Topology::kept, Topology::parts_may_vanish);
+  const auto topology = GENERATE(Topology::kept, Topology::components_may_vanish);
   CAPTURE(ratio, topology == Topology::kept);
   Soup result = tree;
   const Report report = simplify(result.points, result.triangles, FaceRatio{ratio}, topology);
@@ -197,7 +197,7 @@ TEST_CASE("A trunk keeps its shape beside leaves, whatever the target") {
                          test::make_mesh(test::without_isolated_points(trunk_after)),
                          {.samples = 5000})
             .rms < 0.02 * 2);
-  if (topology == Topology::parts_may_vanish)
+  if (topology == Topology::components_may_vanish)
     CHECK(report.stop == StopReason::target_met);
 }
 
@@ -622,7 +622,7 @@ TEST_CASE("A filter that refuses everything ends with that reason") {
 
 TEST_CASE("Where topology is free, nothing at all is left of a surface in the end") {
   for (const Soup& input : {closed_surface(), open_surface(), test::triangle(), test::tetrahedron(),
-                            test::random_with_borders(3)}) {
+                            test::random_with_boundaries(3)}) {
     PointSoup soup(input);
     const Report report = simplify_soup(soup, FaceCount{0}, Topology::free, NormalFlip{180});
     INFO(report);

@@ -50,8 +50,8 @@ Triangle turned(const Triangle& t) {
 
 // A bumpy surface with backs where `has_back(middle)`; and if `interleaved`, each behind its front,
 // or before it, by turns.
-template <class Number = double, class HasBack>
-Sheet<Number> two_sided(const Soup& soup, HasBack has_back, bool interleaved = false) {
+template <class Number = double, class HasReverse>
+Sheet<Number> two_sided(const Soup& soup, HasReverse has_back, bool interleaved = false) {
   Sheet<Number> sheet;
   for (const Position& p : soup.points)
     sheet.points.push_back(
@@ -61,14 +61,14 @@ Sheet<Number> two_sided(const Soup& soup, HasBack has_back, bool interleaved = f
     const Triangle& t = soup.triangles[f];
     const Position middle = (1.0 / 3) * (soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]);
     const bool is_doubled = has_back(middle);
-    const bool is_back_first = interleaved && is_doubled && f % 3 == 0;
-    if (is_back_first) {
+    const bool is_reverse_first = interleaved && is_doubled && f % 3 == 0;
+    if (is_reverse_first) {
       sheet.triangles.push_back(turned(t));
       sheet.labels.push_back(1);
     }
     sheet.triangles.push_back(t);
     sheet.labels.push_back(0);
-    if (interleaved && is_doubled && !is_back_first) {
+    if (interleaved && is_doubled && !is_reverse_first) {
       sheet.triangles.push_back(turned(t));
       sheet.labels.push_back(1);
     } else if (!interleaved && is_doubled) {
@@ -188,12 +188,13 @@ TEST_CASE(
       Sheet<double> sheet = two_sided(bumps(), on_the_left, interleaved);
       sheet.labels.clear();
       simplify(sheet.points, sheet.triangles, FaceRatio{ratio});
-      double area_of_fronts = 0, area_of_backs = 0;
+      double area_of_forward_faces = 0, area_of_reverse_faces = 0;
       for (const Triangle& t : sheet.triangles)
-        (up(sheet, t) > 0 ? area_of_fronts : area_of_backs) += 0.5 * std::abs(up(sheet, t));
+        (up(sheet, t) > 0 ? area_of_forward_faces : area_of_reverse_faces) +=
+            0.5 * std::abs(up(sheet, t));
       CHECK(count_sides(sheet) > 0);
-      CHECK(area_of_fronts == Approx(1).margin(0.01));
-      CHECK(area_of_backs == Approx(0.5).margin(0.01));
+      CHECK(area_of_forward_faces == Approx(1).margin(0.01));
+      CHECK(area_of_reverse_faces == Approx(0.5).margin(0.01));
       for (const Triangle& t : sheet.triangles)
         if (up(sheet, t) < 0)
           for (std::uint32_t v : t)
@@ -282,12 +283,12 @@ struct CornerValues {
   std::vector<Triangle> triples;
 };
 
-Value value_at(const Place& p, bool is_back) {
-  return is_back ? Value{3 - p[0], 2 + p[1]} : Value{p[0], p[1]};
+Value value_at(const Place& p, bool is_reverse) {
+  return is_reverse ? Value{3 - p[0], 2 + p[1]} : Value{p[0], p[1]};
 }
 
-template <class IsBack>
-CornerValues values_of(const Sheet<double>& sheet, IsBack is_back) {
+template <class IsReverse>
+CornerValues values_of(const Sheet<double>& sheet, IsReverse is_reverse) {
   CornerValues result;
   for (const bool back : {false, true})
     for (const Place& p : sheet.points)
@@ -295,7 +296,7 @@ CornerValues values_of(const Sheet<double>& sheet, IsBack is_back) {
   const auto n = static_cast<std::uint32_t>(sheet.points.size());
   for (std::size_t f = 0; f < sheet.triangles.size(); ++f) {
     Triangle t = sheet.triangles[f];
-    if (is_back(f))
+    if (is_reverse(f))
       for (std::uint32_t& v : t)
         v += n;
     result.triples.push_back(t);
@@ -358,11 +359,11 @@ TEST_CASE("Points that are split between the sides are split again") {
     std::set<std::array<Place, 3>> places;
     std::size_t ups = 0;
     for (const Triangle& t : sheet.triangles) {
-      const bool is_back = up(sheet, t) < 0;
-      ups += !is_back;
+      const bool is_reverse = up(sheet, t) < 0;
+      ups += !is_reverse;
       std::array<Place, 3> at{sheet.points[t[0]], sheet.points[t[1]], sheet.points[t[2]]};
       for (std::uint32_t v : t)
-        CHECK(values[v][0] == Approx(value_at(sheet.points[v], is_back)[0]).margin(0.02));
+        CHECK(values[v][0] == Approx(value_at(sheet.points[v], is_reverse)[0]).margin(0.02));
       std::sort(at.begin(), at.end());
       places.insert(at);
     }

@@ -124,7 +124,7 @@ Maps random_maps(test::Random& random) {
 }
 
 // Of the edge of a chart: constant, and with a weight across the edge only.
-Maps random_border(test::Random& random) {
+Maps random_boundary(test::Random& random) {
   const Real angle = random(0, 3), weight = random(1, 100);
   const Real u = std::cos(angle), v = std::sin(angle);
   return {{weight * u * u, weight * u * v, weight * v * v},
@@ -141,7 +141,7 @@ struct Wedge {
     for (int i = 0; i < faces; ++i)
       all.push_back(random_maps(random));
     for (int i = 0; i < borders; ++i)
-      all.push_back(random_border(random));
+      all.push_back(random_boundary(random));
     maps = all.front();
     for (std::size_t i = 1; i < all.size(); ++i)
       maps = joined(maps, all[i], squares);

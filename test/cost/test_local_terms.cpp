@@ -134,7 +134,7 @@ TEST_CASE("The local terms of a closed surface are those of its faces") {
 
 TEST_CASE("The local terms of a surface with borders are those of its faces and borders") {
   for (std::uint64_t seed = 0; seed < 3; ++seed)
-    check(test::random_with_borders(seed), seed);
+    check(test::random_with_boundaries(seed), seed);
 }
 
 TEST_CASE("A vertex of many faces shares with its neighbours what one of few does") {
@@ -206,7 +206,7 @@ TEST_CASE("Local terms follow in passes, but for vertices that these have contra
 }
 
 TEST_CASE("Local terms follow where topology is free") {
-  check(test::random_with_borders(4), 4, Topology::free);
+  check(test::random_with_boundaries(4), 4, Topology::free);
   // Parts without a border become sheets, which have one.
   const Soup part = test::with_noise(test::torus(4, 3), 1, 0.1);
   for (std::uint64_t seed = 0; seed < 4; ++seed)
@@ -233,5 +233,5 @@ TEST_CASE("What is no loss of a thin feature costs by plain areas") {
   ThinFeatureQuadric cost;
   cost.loss_weight = 0;
   check_costs(cost, 1, test::random_closed(7), 7);
-  check_costs(cost, 1, test::random_with_borders(8), 8);
+  check_costs(cost, 1, test::random_with_boundaries(8), 8);
 }

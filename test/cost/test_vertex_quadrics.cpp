@@ -91,7 +91,7 @@ TEST_CASE("After a contraction a vertex remembers what both of its ends did") {
 }
 
 TEST_CASE("No vertex has an error above that of the report") {
-  Mesh mesh = test::make_mesh(test::random_with_borders(4));
+  Mesh mesh = test::make_mesh(test::random_with_boundaries(4));
   const QuadricMap map = quadrics(mesh);
   const Report report = simplify(mesh, FaceRatio{0.3}, parameters::vertex_quadric_map(map));
   double largest = 0;

@@ -134,7 +134,7 @@ TEST_CASE("The figures follow the unit as far as doubles hold the surfaces") {
   const double error = 1e-4;
   struct Figures {
     quadrille::SurfaceDistance of_soups, of_meshes;
-    double bounded, bounded_back;
+    double bounded, bounded_reverse;
   };
   const auto at = [&](double scale) {
     const test::PointSoup a(scaled(fine, scale)), b(scaled(coarse, scale));
@@ -165,7 +165,7 @@ TEST_CASE("The figures follow the unit as far as doubles hold the surfaces") {
     check(d.of_soups, one.of_soups, scale);
     check(d.of_meshes, one.of_meshes, scale);
     CHECK(d.bounded / scale == Approx(one.bounded).margin(error));
-    CHECK(d.bounded_back / scale == Approx(one.bounded_back).margin(error));
+    CHECK(d.bounded_reverse / scale == Approx(one.bounded_reverse).margin(error));
   }
   // A power of two changes no digit.
   const Figures d = at(0x1p-900);

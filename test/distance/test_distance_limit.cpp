@@ -44,7 +44,7 @@ std::vector<Model> models() {
   models.push_back({"torus", test::make_mesh(test::torus(40, 20))});
   models.push_back({"cube", test::make_mesh(test::cube(6))});
   models.push_back({"noise", test::make_mesh(test::with_noise(test::sphere(4), 1, 0.02))});
-  models.push_back({"holes", test::make_mesh(test::random_with_borders(3))});
+  models.push_back({"holes", test::make_mesh(test::random_with_boundaries(3))});
   return models;
 }
 
@@ -441,8 +441,8 @@ TEST_CASE("Bounds hold where more than two faces meet, and on jagged borders") {
   for (std::uint64_t seed = 0; seed < 12; ++seed)
     for (double limit : {0.003, 0.03, 0.2}) {
       INFO("seed " << seed << ", limit " << limit);
-      simplify_within(limit, test::random_with_borders(seed));
-      simplify_within(limit, test::random_with_borders(seed), RelaxedOrder{});
+      simplify_within(limit, test::random_with_boundaries(seed));
+      simplify_within(limit, test::random_with_boundaries(seed), RelaxedOrder{});
     }
 }
 
@@ -580,22 +580,25 @@ TEST_CASE("At a hub the first face that is too far ends the measuring") {
     ++asked;
     return distance > 0.01;
   };
-  const auto is_one_sheet = [](Index) { return false; };
+  const auto is_one_fan = [](Index) { return false; };
   const Vector<3> x{{0, 0, 0.5}}; // far from each face
   CHECK(
       bounds.measure(star, 0, 1, positions, x, StarKind::oriented, {}, deviation, after, is_too_far)
           .from_input > 0.01);
   CHECK(asked == 1);
-  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, x, recent_faces, is_one_sheet, is_too_far));
+  CHECK(bounds.is_beyond_high_valence(complex, 0, 1, positions, x, recent_faces, is_one_fan,
+                                      is_too_far));
   CHECK(asked == 2);
   // Far from a few faces only: the second time these are asked first.
   const Vector<3> y{{0.02, 0, 0.995}};
-  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_one_sheet, is_too_far));
+  CHECK(bounds.is_beyond_high_valence(complex, 0, 1, positions, y, recent_faces, is_one_fan,
+                                      is_too_far));
   asked = 0;
-  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_one_sheet, is_too_far));
+  CHECK(bounds.is_beyond_high_valence(complex, 0, 1, positions, y, recent_faces, is_one_fan,
+                                      is_too_far));
   CHECK(asked < 4);
-  CHECK(!bounds.is_beyond_hub(complex, 0, 1, positions, {{0, 0, 0.999}}, recent_faces, is_one_sheet,
-                              is_too_far));
+  CHECK(!bounds.is_beyond_high_valence(complex, 0, 1, positions, {{0, 0, 0.999}}, recent_faces,
+                                       is_one_fan, is_too_far));
 }
 
 TEST_CASE("Bounds stay with their faces when these get new numbers") {

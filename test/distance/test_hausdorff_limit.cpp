@@ -104,7 +104,7 @@ test::Soup bent_sheet(double degrees) {
 }
 
 // A flat sheet with a needle on it, far thinner than it is high.
-test::Soup sheet_with_needle(double width, double height) {
+test::Soup sheet_with_sliver(double width, double height) {
   test::Soup soup = test::mapped(test::grid(6, 6), [](const test::Position& p) {
     return test::Position{{p[0] - 0.5, p[1] - 0.5, 0}};
   });
@@ -151,7 +151,7 @@ TEST_CASE("Random surfaces are within the limit, whatever their topology") {
   for (std::uint64_t seed = 0; seed < 4; ++seed)
     for (double limit : {0.003, 0.03, 0.2}) {
       INFO("seed " << seed);
-      const test::Soup holes = test::random_with_borders(seed);
+      const test::Soup holes = test::random_with_boundaries(seed);
       const test::Soup noisy = test::with_noise(test::sphere(3), seed, 0.05);
       const test::Soup pages = test::with_noise(sheets_at_a_line(5), seed, 0.02);
       for (const test::Soup& input : {holes, noisy, pages}) {
@@ -223,7 +223,7 @@ public:
     StarDeviation deviation;
     DistanceBounds(complex_.face_capacity(), 1, true)
         .measure(star_, a_, b_, positions_, x, StarKind::oriented, {}, deviation, bounds, never);
-    BackDeviation back;
+    ReverseDeviation back;
     back.measure(
         star_, deviation, true, true, [&](Index f) { return f == face ? bound : 0; }, never);
     return static_cast<double>(*std::max_element(back.bounds().begin(), back.bounds().end()));
@@ -288,7 +288,7 @@ TEST_CASE("Of each old face, input points are as far as they were, and as they g
 }
 
 TEST_CASE("A needle stays that an error limit takes away") {
-  const test::Soup input = sheet_with_needle(0.01, 1);
+  const test::Soup input = sheet_with_sliver(0.01, 1);
   const Within one_way = simplified(input, DistanceLimit{0.05});
   INFO(one_way.report);
   CHECK(one_way.report.hausdorff_bound == infinity);
@@ -303,13 +303,13 @@ TEST_CASE("A part that may vanish stays within a limit both ways, else the bound
       test::joined(test::sphere(3), test::mapped(test::sphere(1), [](const test::Position& p) {
                      return 0.001 * p + test::Position{{3, 0, 0}};
                    }));
-  const Within stays = simplified(input, HausdorffLimit{0.1}, Topology::parts_may_vanish);
-  CHECK(stays.report.vanished_parts == 0);
+  const Within stays = simplified(input, HausdorffLimit{0.1}, Topology::components_may_vanish);
+  CHECK(stays.report.vanished_components == 0);
   CHECK(stays.report.hausdorff_bound <= 0.1);
-  const Within goes =
-      simplified(input, AllOf{HausdorffLimit{0.1}, FaceCount{200}}, Topology::parts_may_vanish);
+  const Within goes = simplified(input, AllOf{HausdorffLimit{0.1}, FaceCount{200}},
+                                 Topology::components_may_vanish);
   INFO(goes.report);
-  CHECK(goes.report.vanished_parts == 1);
+  CHECK(goes.report.vanished_components == 1);
   CHECK(goes.report.hausdorff_bound == infinity);
   CHECK(goes.report.distance_bound < infinity);
 }

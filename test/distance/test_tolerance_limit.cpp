@@ -98,7 +98,7 @@ void check_within(const Soup& input, const std::vector<double>& tolerances,
   CHECK(beyond(input, tolerances, outcome.result) <= own);
   CHECK(beyond_back(input, tolerances, outcome.result) <= own);
   REQUIRE(outcome.report.used_tolerance);
-  CHECK(outcome.report.used_tolerance->part <= 1);
+  CHECK(outcome.report.used_tolerance->fraction <= 1);
   const double greatest = *std::max_element(tolerances.begin(), tolerances.end());
   CHECK(outcome.report.hausdorff_bound <= 1.000001 * greatest);
   CHECK(test::farthest(input, outcome.result, 2) <= outcome.report.hausdorff_bound + own);
@@ -244,7 +244,7 @@ TEST_CASE("One tolerance for all is a Hausdorff limit") {
       simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles, HausdorffLimit{0.0625});
   CHECK(outcome.report.faces_after == of_limit.faces_after);
   CHECK(outcome.report.hausdorff_bound == Approx(of_limit.hausdorff_bound));
-  CHECK(outcome.report.used_tolerance->part == Approx(of_limit.hausdorff_bound / 0.0625));
+  CHECK(outcome.report.used_tolerance->fraction == Approx(of_limit.hausdorff_bound / 0.0625));
 }
 
 TEST_CASE("The report tells where most of a tolerance is used") {
@@ -255,8 +255,8 @@ TEST_CASE("The report tells where most of a tolerance is used") {
   const Outcome outcome =
       simplified(input, std::vector<double>(input.points.size(), 0.02), ToleranceLimit{});
   REQUIRE(outcome.report.used_tolerance);
-  CHECK(outcome.report.used_tolerance->part >= 0.5);
-  CHECK(outcome.report.used_tolerance->part <= 1);
+  CHECK(outcome.report.used_tolerance->fraction >= 0.5);
+  CHECK(outcome.report.used_tolerance->fraction <= 1);
   const Position place{outcome.report.used_tolerance->place};
   CHECK(std::any_of(outcome.result.triangles.begin(), outcome.result.triangles.end(),
                     [&](const auto& t) {
@@ -277,7 +277,7 @@ TEST_CASE("Tolerances have the mesh's unit, wherever it lies") {
       of_scaled.push_back(factor * tolerance);
     const Outcome there = simplified(scaled, of_scaled, ToleranceLimit{});
     CHECK(there.result.triangles == here.result.triangles);
-    CHECK(there.report.used_tolerance->part == here.report.used_tolerance->part);
+    CHECK(there.report.used_tolerance->fraction == here.report.used_tolerance->fraction);
   }
   const Soup far = test::mapped(input, [](const Position& p) {
     return p + Position{{1e5, 2e5, 0}};

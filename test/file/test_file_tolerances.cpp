@@ -69,11 +69,11 @@ Soup read_result(const Folder& folder) {
   return test::read_ply(folder.path("plain.ply"));
 }
 
-OutOfCore in_parts(const Folder& folder, std::uint64_t part_faces = 550) {
+OutOfCore in_chunks(const Folder& folder, std::uint64_t chunk_faces = 550) {
   OutOfCore options;
   options.scratch = folder.path("scratch");
-  options.part_faces = options.whole_faces = part_faces;
-  options.parts_in_flight = 1;
+  options.chunk_faces = options.whole_faces = chunk_faces;
+  options.chunks_in_flight = 1;
   options.tolerance = "allowed";
   return options;
 }
@@ -126,16 +126,16 @@ TEST_CASE("file tolerances: each face keeps its own, in as many parts as there a
   const Folder folder;
   const Tolerant input = surface(100, 40);
   folder.file("in.ply", tolerant_ply_of(input));
-  const FileReport report = run(folder, in_parts(folder), ToleranceLimit{});
+  const FileReport report = run(folder, in_chunks(folder), ToleranceLimit{});
   const Soup output = read_result(folder);
-  CHECK(report.parts >= 14);
+  CHECK(report.chunks >= 14);
   CHECK(report.phases >= 3);
   CHECK(report.stop == StopReason::target_met);
   CHECK(test::topology_of(output).genus() == 1);
   CHECK(require_kept(input, output) > 2 * fine);
   REQUIRE(report.used_tolerance);
-  CHECK(report.used_tolerance->part <= 1);
-  CHECK(report.used_tolerance->part > 0.9);
+  CHECK(report.used_tolerance->fraction <= 1);
+  CHECK(report.used_tolerance->fraction > 0.9);
   CHECK(report.hausdorff_bound <= coarse);
   CHECK(report.hausdorff_bound > 0.9 * coarse);
   CHECK(test::farthest(input.soup, output, 2) <= report.hausdorff_bound);
@@ -149,10 +149,10 @@ TEST_CASE("file tolerances: in one part they are those of a run in memory") {
   const Folder folder;
   const Tolerant input = surface();
   folder.file("in.ply", tolerant_ply_of(input));
-  const FileReport report = run(folder, in_parts(folder, 9000), ToleranceLimit{});
-  CHECK(report.parts == 1);
+  const FileReport report = run(folder, in_chunks(folder, 9000), ToleranceLimit{});
+  CHECK(report.chunks == 1);
   require_kept(input, read_result(folder));
-  CHECK(report.hausdorff_bound == Approx(coarse * report.used_tolerance->part));
+  CHECK(report.hausdorff_bound == Approx(coarse * report.used_tolerance->fraction));
 }
 
 TEST_CASE("file tolerances: where they are 0 no vertex moves, and a count may come first") {
@@ -164,13 +164,13 @@ TEST_CASE("file tolerances: where they are 0 no vertex moves, and a count may co
     kept += input.tolerances[v] == 0 ? 1 : 0;
   }
   folder.file("in.ply", tolerant_ply_of(input));
-  run(folder, in_parts(folder, 300), ToleranceLimit{});
+  run(folder, in_chunks(folder, 300), ToleranceLimit{});
   const Soup output = read_result(folder);
   for (std::size_t v = 0; v < input.soup.points.size(); ++v)
     if (input.tolerances[v] == 0)
       CHECK(std::count(output.points.begin(), output.points.end(), input.soup.points[v]) == 1);
   CHECK(output.triangles.size() < 2 * kept + 300);
-  OutOfCore options = in_parts(folder, 300);
+  OutOfCore options = in_chunks(folder, 300);
   options.whole_faces = 0;
   const FileReport report = run(folder, options, AnyOf{FaceCount{1700}, ToleranceLimit{}});
   CHECK(report.faces_after == 1700);
@@ -180,11 +180,11 @@ TEST_CASE("file tolerances: where they are 0 no vertex moves, and a count may co
 TEST_CASE("file tolerances: a run that has ended goes on with what faces have used") {
   const Folder folder;
   folder.file("in.ply", tolerant_ply_of(surface()));
-  OutOfCore options = in_parts(folder, 300);
+  OutOfCore options = in_chunks(folder, 300);
   run(folder, options, ToleranceLimit{});
   const std::string once = test::content_of(folder.path("out.ply"));
   options.restart = true;
-  options.parts_in_flight = 2;
+  options.chunks_in_flight = 2;
   int ends = 0;
   for (bool is_over = false; !is_over; ++ends) {
     int calls = 10 + 10 * ends;
@@ -194,7 +194,7 @@ TEST_CASE("file tolerances: a run that has ended goes on with what faces have us
   }
   CHECK(ends > 2);
   CHECK(test::content_of(folder.path("out.ply")) == once);
-  OutOfCore other = in_parts(folder, 300);
+  OutOfCore other = in_chunks(folder, 300);
   other.proceed = [](const FileStatus& status) { return status.stage != FileStage::simplify; };
   run(folder, other, ToleranceLimit{});
   other.restart = true;
@@ -207,7 +207,7 @@ TEST_CASE("file tolerances: whatever else is left out, they are read") {
   const Folder folder;
   const Tolerant input = surface();
   folder.file("in.ply", tolerant_ply_of(input));
-  OutOfCore options = in_parts(folder, 300);
+  OutOfCore options = in_chunks(folder, 300);
   options.positions_only = true;
   run(folder, options, ToleranceLimit{});
   const std::string alone = test::content_of(folder.path("out.ply"));
@@ -247,7 +247,7 @@ TEST_CASE("file tolerances: where tiles meet the least counts") {
     paths.insert(paths.begin(), folder.path(name));
   }
   simplify_file<MemorylessQuadric, OptimalPlacement>(paths, folder.path("out.ply"),
-                                                     ToleranceLimit{}, in_parts(folder, 300));
+                                                     ToleranceLimit{}, in_chunks(folder, 300));
   CHECK(test::farthest(tiles[0].soup, read_result(folder), 2) <= 1e-6);
 }
 
@@ -255,7 +255,7 @@ TEST_CASE("file tolerances: what makes no sense is refused, and nothing is left"
   const Folder folder;
   Tolerant input = surface();
   folder.file("in.ply", tolerant_ply_of(input));
-  OutOfCore options = in_parts(folder, 300);
+  OutOfCore options = in_chunks(folder, 300);
   CHECK_THROWS_WITH(run(folder, options, HausdorffLimit(1)), Catch::Contains("'allowed'"));
   CHECK_THROWS_WITH(run(folder, options, FaceCount{100}), Catch::Contains("'allowed'"));
   options.tolerance = "";

@@ -37,11 +37,11 @@ Run run(const Soup& input, std::size_t faces, const Policies&... policies) {
   folder.file("in.ply", ply_of(input));
   OutOfCore options;
   options.scratch = folder.path("scratch");
-  options.part_faces = input.triangles.size() / 16;
+  options.chunk_faces = input.triangles.size() / 16;
   const FileReport report =
       simplify_file(folder.path("in.ply"), folder.path("out.ply"), FaceCount{faces}, options,
                     Quadric{}, Placement{}, policies...);
-  CHECK(report.parts >= 16);
+  CHECK(report.chunks >= 16);
   return {input, read_ply(folder.path("out.ply")), report};
 }
 
@@ -54,7 +54,7 @@ using Cell = std::array<double, 3>;
 // No vertex leaves its cell of a grid: that holds over parts, since none is left in any phase.
 struct SameCell {
   static constexpr bool works_in_passes = true;
-  static constexpr bool works_in_parts = true;
+  static constexpr bool works_in_chunks = true;
   static constexpr double size = 0.25;
 
   static Cell cell(const auto& p) {

@@ -45,18 +45,18 @@ using test::Soup;
 using test::text_ply_of;
 using test::topology_of;
 
-constexpr std::uint64_t part_of_16 = 550;
+constexpr std::uint64_t sixteenth = 550;
 
 /// Closed, of genus 1, 8,000 faces.
 Soup surface() {
   return test::as_floats(test::with_noise(test::torus(100, 40), 1, 0.004));
 }
 
-OutOfCore in_parts(const Folder& folder, std::uint64_t part_faces, unsigned in_flight = 1) {
+OutOfCore in_chunks(const Folder& folder, std::uint64_t chunk_faces, unsigned in_flight = 1) {
   OutOfCore options;
   options.scratch = folder.path("scratch");
-  options.part_faces = part_faces;
-  options.parts_in_flight = in_flight;
+  options.chunk_faces = chunk_faces;
+  options.chunks_in_flight = in_flight;
   return options;
 }
 
@@ -99,9 +99,9 @@ void require_as_in_memory() {
   const Soup input = surface();
   folder.file("in.ply", ply_of(input));
   const double in_memory = rms_in_memory<Cost>(input, 800);
-  for (const std::uint64_t part_faces : {8000U, 2200U, 550U, 140U}) {
-    INFO(part_faces << " faces a part");
-    const FileReport report = run<Cost>(folder, in_parts(folder, part_faces));
+  for (const std::uint64_t chunk_faces : {8000U, 2200U, 550U, 140U}) {
+    INFO(chunk_faces << " faces a part");
+    const FileReport report = run<Cost>(folder, in_chunks(folder, chunk_faces));
     const Soup output = read_ply(folder.path("out.ply"));
     const auto topology = topology_of(output);
     CHECK(topology.is_manifold);
@@ -112,9 +112,9 @@ void require_as_in_memory() {
     CHECK(report.faces_after == 800);
     CHECK(report.is_count_exact);
     CHECK(report.stop == StopReason::target_met);
-    CHECK(report.parts >= 7000 / part_faces);
+    CHECK(report.chunks >= 7000 / chunk_faces);
     CHECK(report.contractions == input.points.size() - output.points.size());
-    CHECK(rms(input, output) < (part_faces < 200 ? 1.04 : 1.02) * in_memory);
+    CHECK(rms(input, output) < (chunk_faces < 200 ? 1.04 : 1.02) * in_memory);
     CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
   }
 }
@@ -131,7 +131,7 @@ TEST_CASE("In one part, all bytes are those of a run in memory") {
   const Folder folder;
   Soup soup = surface();
   folder.file("in.ply", ply_of(soup));
-  run(folder, in_parts(folder, 8000));
+  run(folder, in_chunks(folder, 8000));
   simplify<MemorylessQuadric, OptimalPlacement>(soup.points, soup.triangles, FaceCount{800});
   CHECK(test::is_identical(test::as_floats(soup), read_ply(folder.path("out.ply"))));
 }
@@ -139,10 +139,10 @@ TEST_CASE("In one part, all bytes are those of a run in memory") {
 TEST_CASE("The output does not depend on how many parts are in flight") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
-  run(folder, in_parts(folder, part_of_16));
+  run(folder, in_chunks(folder, sixteenth));
   const std::string once = content_of(folder.path("out.ply"));
   for (const unsigned in_flight : {2U, 5U}) {
-    run(folder, in_parts(folder, part_of_16, in_flight));
+    run(folder, in_chunks(folder, sixteenth, in_flight));
     CHECK(content_of(folder.path("out.ply")) == once);
   }
 }
@@ -153,13 +153,13 @@ TEST_CASE("Byte order and type of numbers change nothing") {
   folder.file("big.ply", ply_of(surface(), true));
   folder.file("double.ply", ply_of<double>(surface()));
   folder.file("big_double.ply", ply_of<double>(surface(), true));
-  run(folder, in_parts(folder, part_of_16), 800, "little.ply");
+  run(folder, in_chunks(folder, sixteenth), 800, "little.ply");
   const std::string little = content_of(folder.path("out.ply"));
-  run(folder, in_parts(folder, part_of_16), 800, "big.ply");
+  run(folder, in_chunks(folder, sixteenth), 800, "big.ply");
   CHECK(content_of(folder.path("out.ply")) == little);
   const Soup floats = read_ply(folder.path("out.ply"));
   for (const char* const name : {"double.ply", "big_double.ply"}) {
-    run(folder, in_parts(folder, part_of_16), 800, name);
+    run(folder, in_chunks(folder, sixteenth), 800, name);
     const Soup doubles = read_ply(folder.path("out.ply"));
     CHECK(test::is_identical(test::as_floats(doubles), floats));
     CHECK_FALSE(test::is_identical(doubles, floats));
@@ -169,7 +169,7 @@ TEST_CASE("Byte order and type of numbers change nothing") {
 TEST_CASE("Corners of an STL file become vertices") {
   const Folder folder;
   folder.file("in.stl", test::stl_of(surface()));
-  run(folder, in_parts(folder, part_of_16), 800, "in.stl");
+  run(folder, in_chunks(folder, sixteenth), 800, "in.stl");
   const auto topology = topology_of(read_ply(folder.path("out.ply")));
   CHECK(topology.is_closed());
   CHECK(topology.is_manifold);
@@ -180,7 +180,7 @@ TEST_CASE("Corners of an STL file become vertices") {
 TEST_CASE("Where the whole does not fit, all parts give their share to a count") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   options.whole_faces = 100;
   const FileReport report = run(folder, options);
   CHECK(report.is_count_exact);
@@ -201,12 +201,12 @@ template <class Limit>
 void require_within(const Soup& input, const Limit& limit, bool both_ways) {
   const Folder folder;
   folder.file("in.ply", ply_of<double>(input));
-  OutOfCore options = in_parts(folder, part_of_16);
-  options.whole_faces = part_of_16;
+  OutOfCore options = in_chunks(folder, sixteenth);
+  options.whole_faces = sixteenth;
   const FileReport report = simplify_file<MemorylessQuadric, OptimalPlacement>(
       folder.path("in.ply"), folder.path("out.ply"), limit, options);
   const Soup output = read_ply(folder.path("out.ply"));
-  CHECK(report.parts >= 14);
+  CHECK(report.chunks >= 14);
   CHECK(report.phases >= 3);
   CHECK(report.stop == StopReason::target_met);
   CHECK(topology_of(output).is_manifold);
@@ -238,7 +238,7 @@ TEST_CASE("A limit of distances and a count end a run by parts at what comes fir
   folder.file("in.ply", ply_of<double>(input));
   const auto faces = [&](const auto& stop) {
     const FileReport report = simplify_file<Quadric, OptimalPlacement>(
-        folder.path("in.ply"), folder.path("out.ply"), stop, in_parts(folder, part_of_16));
+        folder.path("in.ply"), folder.path("out.ply"), stop, in_chunks(folder, sixteenth));
     CHECK(report.distance_bound <= 0.01 * report.diagonal);
     return report.faces_after;
   };
@@ -256,11 +256,11 @@ TEST_CASE("Borders that several parts have stay borders") {
   const Folder folder;
   const Soup input = test::as_floats(test::with_noise(test::grid(60, 60), 3, 0.002));
   folder.file("in.ply", ply_of(input));
-  run(folder, in_parts(folder, 500), 720);
+  run(folder, in_chunks(folder, 500), 720);
   const Soup output = read_ply(folder.path("out.ply"));
   const auto topology = topology_of(output);
   CHECK(topology.is_manifold);
-  CHECK(topology.border_loops == 1);
+  CHECK(topology.boundary_loops == 1);
   CHECK(topology.euler() == 1);
   CHECK(topology.faces == 720);
   CHECK(rms(input, output) < 1.03 * rms_in_memory<MemorylessQuadric>(input, 720));
@@ -270,7 +270,7 @@ TEST_CASE("Boundaries may be locked, wherever parts are cut") {
   const Folder folder;
   const Soup input = test::with_holes(test::with_noise(test::grid(70, 60), 4, 0.004), 3, 6);
   folder.file("in.ply", ply_of<double>(input));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   options.locks_boundary = true;
   run(folder, options, 1200);
   const Soup output = read_ply(folder.path("out.ply"));
@@ -304,14 +304,14 @@ TEST_CASE("Small parts of the surface may vanish, wherever it is cut") {
                          }));
   }
   folder.file("in.ply", ply_of<double>(input));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   const auto faces = [&](Topology topology) {
     return simplify_file<Quadric, OptimalPlacement>(folder.path("in.ply"), folder.path("out.ply"),
                                                     FaceCount{100}, options, {}, {}, topology)
         .faces_after;
   };
   CHECK(faces(Topology::kept) > 160);
-  CHECK(faces(Topology::parts_may_vanish) == 100);
+  CHECK(faces(Topology::components_may_vanish) == 100);
   CHECK(topology_of(read_ply(folder.path("out.ply"))).is_closed());
 }
 
@@ -321,7 +321,7 @@ TEST_CASE("Several pieces and vertices without a face") {
   input.points.push_back({{9, 9, 9}});
   input.triangles.push_back({3, 3, 5});
   folder.file("in.ply", ply_of(input));
-  const FileReport report = run(folder, in_parts(folder, part_of_16), 1000);
+  const FileReport report = run(folder, in_chunks(folder, sixteenth), 1000);
   const auto topology = topology_of(read_ply(folder.path("out.ply")));
   CHECK(topology.components == 2);
   CHECK(topology.genus() == 2);
@@ -335,14 +335,14 @@ TEST_CASE("What no face uses belongs to no box, and need not be finite") {
   const Folder folder;
   Soup input = surface();
   folder.file("in.ply", ply_of<double>(input));
-  const FileReport plain = run(folder, in_parts(folder, part_of_16));
+  const FileReport plain = run(folder, in_chunks(folder, sixteenth));
   const std::string once = content_of(folder.path("out.ply"));
   for (const double far : {1000., 1e16, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
     INFO(far);
     Soup with_far = input;
     with_far.points.push_back({{far, far, -far}});
     folder.file("in.ply", ply_of<double>(with_far));
-    const FileReport report = run(folder, in_parts(folder, part_of_16));
+    const FileReport report = run(folder, in_chunks(folder, sixteenth));
     CHECK(content_of(folder.path("out.ply")) == once);
     CHECK(report.diagonal == plain.diagonal);
     CHECK(report.error == plain.error);
@@ -357,7 +357,7 @@ TEST_CASE("A vertex of faces that is far away takes no faces from the others") {
     Soup input = surface();
     input.points[1000] = {{far, far, far}};
     folder.file("in.ply", ply_of(input));
-    const FileReport report = run(folder, in_parts(folder, part_of_16));
+    const FileReport report = run(folder, in_chunks(folder, sixteenth));
     CHECK(report.faces_after == 800);
     CHECK(report.stop == StopReason::target_met);
     CHECK(topology_of(read_ply(folder.path("out.ply"))).is_closed());
@@ -370,7 +370,7 @@ TEST_CASE("Faces that are there twice count once") {
   const auto run_to_tenth = [&] {
     return simplify_file<MemorylessQuadric, OptimalPlacement>(
         folder.path("in.ply"), folder.path("out.ply"), FaceRatio{0.1},
-        in_parts(folder, part_of_16));
+        in_chunks(folder, sixteenth));
   };
   const Soup plain = input;
   for (auto [a, b, c] : plain.triangles)
@@ -395,8 +395,8 @@ TEST_CASE("A surface that is small beside something far away is cut as evenly") 
   const Folder folder;
   const Soup input = test::joined(surface(), test::octahedron(), {{3000, 0, 0}});
   folder.file("in.ply", ply_of(input));
-  const FileReport report = run(folder, in_parts(folder, part_of_16), 808);
-  CHECK(report.parts > 12);
+  const FileReport report = run(folder, in_chunks(folder, sixteenth), 808);
+  CHECK(report.chunks > 12);
   const Soup output = read_ply(folder.path("out.ply"));
   const auto topology = topology_of(output);
   CHECK(topology.is_closed());
@@ -462,7 +462,7 @@ TEST_CASE("Tiles whose borders coincide are one surface, and may be tiles again"
     for (std::size_t i = 0; i < tiles.size(); ++i)
       files.push_back(folder.file("tile" + std::to_string(i) + (is_stl ? ".stl" : ".ply"),
                                   is_stl ? test::stl_of(tiles[i]) : ply_of(tiles[i])));
-    OutOfCore options = in_parts(folder, part_of_16);
+    OutOfCore options = in_chunks(folder, sixteenth);
     const auto simplified = [&](const std::filesystem::path& output) {
       return simplify_file<MemorylessQuadric, OptimalPlacement>(files, output, FaceCount{800},
                                                                 options);
@@ -506,7 +506,7 @@ TEST_CASE("Vertices at one place become one where tiles meet, and nowhere else")
   const auto vertices = [&](double x) {
     const std::vector<std::filesystem::path> files{folder.file("slit.ply", ply_of(slit)), moved(x)};
     return simplify_file<Quadric>(files, folder.path("out.ply"), FaceCount{100},
-                                  in_parts(folder, 100))
+                                  in_chunks(folder, 100))
         .vertices_after;
   };
   CHECK(vertices(5) == 6 + 4);
@@ -517,7 +517,7 @@ TEST_CASE("Files that are no tiles of one surface are refused by their names") {
   const Folder folder;
   std::vector<Soup> tiles = tiles_of(surface());
   const auto refusal = [&](const std::vector<std::filesystem::path>& files, bool keeps = false) {
-    OutOfCore options = in_parts(folder, part_of_16);
+    OutOfCore options = in_chunks(folder, sixteenth);
     options.keeps_tiles = keeps;
     try {
       simplify_file<MemorylessQuadric, OptimalPlacement>(files, folder.path("out.ply"),
@@ -568,7 +568,7 @@ TEST_CASE("Labels of faces go along, and their regions stay") {
     ply += static_cast<char>(7);
   }
   folder.file("in.ply", ply);
-  run(folder, in_parts(folder, part_of_16));
+  run(folder, in_chunks(folder, sixteenth));
   const std::string output = content_of(folder.path("out.ply"));
   const std::size_t begin = output.find("end_header\n") + 11;
   CHECK(output.find("property short region\nproperty uchar flags2\n") < begin);
@@ -594,7 +594,7 @@ TEST_CASE("Labels of faces go along, and their regions stay") {
     const auto topology = topology_of(soup);
     CHECK(topology.is_manifold);
     CHECK(topology.components == 1);
-    CHECK(topology.border_loops == 2);
+    CHECK(topology.boundary_loops == 2);
     CHECK(topology.euler() == 0);
     CHECK(soup.triangles.size() > 100);
   }
@@ -680,11 +680,11 @@ TEST_CASE("Colours and other numbers of vertices go along") {
   const Folder folder;
   const Soup input = surface();
   folder.file("in.ply", coloured_ply(input));
-  run<Quadric>(folder, in_parts(folder, 8000));
+  run<Quadric>(folder, in_chunks(folder, 8000));
   const double in_memory = Coloured(content_of(folder.path("out.ply"))).color_error();
-  FileReport report = run<Quadric>(folder, in_parts(folder, part_of_16));
+  FileReport report = run<Quadric>(folder, in_chunks(folder, sixteenth));
   CHECK(report.dropped.empty());
-  CHECK(report.parts > 10);
+  CHECK(report.chunks > 10);
   const std::string once = content_of(folder.path("out.ply"));
   CHECK(once.find("float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty "
                   "uchar red\nproperty uchar green\nproperty uchar blue\nproperty double "
@@ -703,7 +703,7 @@ TEST_CASE("Colours and other numbers of vertices go along") {
     heat_error = std::max(heat_error, std::abs(output.heats[v] - 1e6 * output.points[v][2]));
   }
   CHECK(heat_error < 2e4);
-  OutOfCore options = in_parts(folder, part_of_16, 2);
+  OutOfCore options = in_chunks(folder, sixteenth, 2);
   CHECK(run<Quadric>(folder, ended_early(options)).stop == StopReason::cancelled);
   options.restart = true;
   run<Quadric>(folder, options);
@@ -713,7 +713,7 @@ TEST_CASE("Colours and other numbers of vertices go along") {
 TEST_CASE("How much they count is told, and they may be left out") {
   const Folder folder;
   folder.file("in.ply", coloured_ply(surface()));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   run(folder, options);
   const double usual = Coloured(content_of(folder.path("out.ply"))).color_error();
   options.attribute_importance = 0.01;
@@ -739,7 +739,7 @@ TEST_CASE("A ratio of the faces") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   simplify_file<MemorylessQuadric, OptimalPlacement>(folder.path("in.ply"), folder.path("out.ply"),
-                                                     FaceRatio{0.1}, in_parts(folder, part_of_16));
+                                                     FaceRatio{0.1}, in_chunks(folder, sixteenth));
   CHECK(read_ply(folder.path("out.ply")).triangles.size() == 800);
 }
 
@@ -771,7 +771,7 @@ bool run_and_die(const Folder& folder, OutOfCore options, int n) {
 
 TEST_CASE("A run that is killed anywhere goes on where it was") {
   const Folder folder;
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   const std::string once = content_at_once(folder, options);
   options.restart = true;
   int kills = 0;
@@ -784,7 +784,7 @@ TEST_CASE("A run that is killed anywhere goes on where it was") {
 
 TEST_CASE("A disk that is full ends in a sentence, and what is done stays") {
   const Folder folder;
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   const std::string once = content_at_once(folder, options);
   options.restart = true;
   for (const ::rlim_t most : {5'000U, 12'000U, 19'000U}) { // bytes of a file
@@ -827,7 +827,7 @@ TEST_CASE("What a job will take is told before it begins, and how far it is goes
   for (const char* const name : {"in.ply", "in.stl"})
     for (const std::size_t faces : {800U, 4000U}) {
       INFO(name << " to " << faces);
-      OutOfCore options = in_parts(folder, 2200);
+      OutOfCore options = in_chunks(folder, 2200);
       std::vector<FileStatus> told;
       std::uint64_t most = 0;
       options.proceed = [&](const FileStatus& status) {
@@ -855,7 +855,7 @@ TEST_CASE("What a job will take is told before it begins, and how far it is goes
 
 TEST_CASE("A run ends when the user says so, and goes on") {
   const Folder folder;
-  OutOfCore options = in_parts(folder, part_of_16, 2);
+  OutOfCore options = in_chunks(folder, sixteenth, 2);
   const std::string once = content_at_once(folder, options);
   CHECK(run(folder, ended_early(options)).stop == StopReason::cancelled);
   CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));
@@ -863,9 +863,9 @@ TEST_CASE("A run ends when the user says so, and goes on") {
   options.restart = true;
   CHECK_THROWS_WITH(run(folder, options, 900), Catch::Contains("of another file, or for another"));
   OutOfCore others = options;
-  others.part_faces = 600;
+  others.chunk_faces = 600;
   CHECK_THROWS_WITH(run(folder, others), Catch::Contains("of another file, or for another"));
-  options.parts_in_flight = 1;
+  options.chunks_in_flight = 1;
   run(folder, options);
   CHECK(content_of(folder.path("out.ply")) == once);
 }
@@ -873,7 +873,7 @@ TEST_CASE("A run ends when the user says so, and goes on") {
 TEST_CASE("Parts are run one by one, in any order, by any process") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   run(folder, options);
   const std::string once = content_of(folder.path("out.ply"));
   using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
@@ -883,7 +883,7 @@ TEST_CASE("Parts are run one by one, in any order, by any process") {
   while (!is_over) {
     Job job(folder.path("in.ply"), FaceCount{800}, options);
     job.partition();
-    for (std::size_t part = job.parts(); part-- > 1;)
+    for (std::size_t part = job.chunks(); part-- > 1;)
       job.simplify(part);
     CHECK_THROWS_WITH(job.close(), Catch::Contains("part 0 of phase"));
     Job other(folder.path("in.ply"), FaceCount{800}, options);
@@ -891,7 +891,7 @@ TEST_CASE("Parts are run one by one, in any order, by any process") {
     other.simplify(0);
     is_over = !job.close();
     if (is_over)
-      job.sew(folder.path("out.ply"));
+      job.merge(folder.path("out.ply"));
   }
   CHECK(content_of(folder.path("out.ply")) == once);
 }
@@ -908,7 +908,7 @@ std::map<std::string, std::string> tree_of(const std::filesystem::path& path) {
 
 TEST_CASE("Samples are taken one by one, in any order, by any process") {
   const Folder folder;
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   const std::string once = content_at_once(folder, options);
   using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
   const auto made = [&] { return Job(folder.path("in.ply"), FaceCount{800}, options); };
@@ -916,24 +916,24 @@ TEST_CASE("Samples are taken one by one, in any order, by any process") {
   job.cut();
   do {
     if (job.samples() > 0) {
-      CHECK(job.samples() == job.parts());
+      CHECK(job.samples() == job.chunks());
       for (std::size_t i = job.samples(); i-- > 1;)
         job.sample(i);
       CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("is not resolved"));
       Job other = made();
       other.join();
       CHECK_FALSE(other.sample(0, [] { return true; }));
-      CHECK_THROWS_WITH(job.settle(), Catch::Contains("sample 0 of phase"));
+      CHECK_THROWS_WITH(job.resolve(), Catch::Contains("sample 0 of phase"));
       other.sample(0);
       folder.file("scratch/quadrille-job/phase-" + std::to_string(job.phase()) + "/sample-1", "?");
-      CHECK_THROWS_WITH(job.settle(), Catch::Contains("sample 1 of phase"));
+      CHECK_THROWS_WITH(job.resolve(), Catch::Contains("sample 1 of phase"));
       other.sample(1);
-      job.settle();
+      job.resolve();
     }
-    for (std::size_t part = 0; part < job.parts(); ++part)
+    for (std::size_t part = 0; part < job.chunks(); ++part)
       job.simplify(part);
   } while (job.regroup());
-  job.sew(folder.path("out.ply"));
+  job.merge(folder.path("out.ply"));
   CHECK(content_of(folder.path("out.ply")) == once);
   CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
 }
@@ -954,13 +954,13 @@ TEST_CASE("A job removes what it has made, and nothing else") {
     folder.file((std::filesystem::path("scratch") / name).string(), name);
   const auto before = tree_of(scratch);
   for (const char* const input : {"in.ply", "in.stl"})
-    run(folder, in_parts(folder, part_of_16), 800, input);
+    run(folder, in_chunks(folder, sixteenth), 800, input);
   for (const char* const input : {"bad.ply", "bad.stl"})
-    CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, input),
+    CHECK_THROWS_WITH(run(folder, in_chunks(folder, sixteenth), 800, input),
                       Catch::Contains(input) && Catch::Contains("not finite"));
   CHECK(tree_of(scratch) == before);
 
-  OutOfCore options = in_parts(folder, part_of_16, 1);
+  OutOfCore options = in_chunks(folder, sixteenth, 1);
   run(folder, ended_early(options));
   folder.file("scratch/quadrille-job/phase-1/left-mine", "mine");
   std::filesystem::create_directory(scratch / "quadrille-job/phase-1/claims-7");
@@ -991,7 +991,7 @@ TEST_CASE("A folder that is no job's is not entered") {
     folder.file((std::filesystem::path("scratch") / name).string(), "of the user's");
     const auto before = tree_of(folder.path("scratch"));
     for (const bool restart : {false, true}) {
-      OutOfCore options = in_parts(folder, part_of_16);
+      OutOfCore options = in_chunks(folder, sixteenth);
       options.restart = restart;
       CHECK_THROWS_WITH(run(folder, options),
                         Catch::StartsWith(folder.path("scratch/quadrille-job").string()));
@@ -1002,7 +1002,7 @@ TEST_CASE("A folder that is no job's is not entered") {
 
 TEST_CASE("One job at a time works in a folder, and who that is is told") {
   const Folder folder;
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   const std::string once = content_at_once(folder, options);
   using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
   Job job(folder.path("in.ply"), FaceCount{800}, options);
@@ -1017,10 +1017,10 @@ TEST_CASE("One job at a time works in a folder, and who that is is told") {
   CHECK_THROWS_WITH(other.close(), Catch::Contains(process));
   CHECK_THROWS_WITH(job.close(), Catch::Contains("part 0 of phase"));
   do
-    for (std::size_t part = 0; part < job.parts(); ++part)
+    for (std::size_t part = 0; part < job.chunks(); ++part)
       job.simplify(part);
   while (job.close());
-  job.sew(folder.path("out.ply"));
+  job.merge(folder.path("out.ply"));
   CHECK(content_of(folder.path("out.ply")) == once);
   CHECK_THROWS_WITH(other.join(), Catch::Contains("has no job in it"));
   std::filesystem::remove(folder.path("out.ply"));
@@ -1030,12 +1030,12 @@ TEST_CASE("One job at a time works in a folder, and who that is is told") {
 
 // --- What is wrong -------------------------------------------------------------------------------
 
-void require_refusal(const std::string& name, const std::string& content,
-                     const std::string& message) {
+void require_rejection(const std::string& name, const std::string& content,
+                       const std::string& message) {
   const Folder folder;
   folder.file(name, content);
   INFO(message);
-  CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, name),
+  CHECK_THROWS_WITH(run(folder, in_chunks(folder, sixteenth), 800, name),
                     Catch::Contains(folder.path(name).string() + ":") && Catch::Contains(message));
   CHECK(folder.size() == 1);
 }
@@ -1047,47 +1047,48 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST_CASE("Bad files end in a sentence that names the place") {
   const Soup soup = test::octahedron();
   const std::string ply = ply_of(soup);
-  require_refusal("in.ply", "", "not a PLY file");
-  require_refusal("in.ply", "OFF\n", ":1: not a PLY file");
-  require_refusal("in.ply", replaced(ply, "binary_little_endian", "ascii"),
-                  "ends before vertex 1 of 6");
-  require_refusal("in.ply", replaced(ply, "float x", "floot x"), ":4: unknown type 'floot'");
-  require_refusal("in.ply", replaced(ply, "float x", "float w"), "have no x, y and z");
-  require_refusal("in.ply", replaced(ply, "float x", "int x"),
-                  "neither all floats nor all doubles");
-  require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 6x"), ":3: element count '6x' is not an integer");
-  require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 5000000000"),
-                  "more than the indices of faces can express");
-  require_refusal("in.ply", ply.substr(0, ply.size() - 60), "ends at byte");
-  require_refusal("in.ply", ply.substr(0, ply.size() - 1), "within face 7 of 8");
+  require_rejection("in.ply", "", "not a PLY file");
+  require_rejection("in.ply", "OFF\n", ":1: not a PLY file");
+  require_rejection("in.ply", replaced(ply, "binary_little_endian", "ascii"),
+                    "ends before vertex 1 of 6");
+  require_rejection("in.ply", replaced(ply, "float x", "floot x"), ":4: unknown type 'floot'");
+  require_rejection("in.ply", replaced(ply, "float x", "float w"), "have no x, y and z");
+  require_rejection("in.ply", replaced(ply, "float x", "int x"),
+                    "neither all floats nor all doubles");
+  require_rejection("in.ply", replaced(ply, "vertex 6", "vertex 6x"),
+                    ":3: element count '6x' is not an integer");
+  require_rejection("in.ply", replaced(ply, "vertex 6", "vertex 5000000000"),
+                    "more than the indices of faces can express");
+  require_rejection("in.ply", ply.substr(0, ply.size() - 60), "ends at byte");
+  require_rejection("in.ply", ply.substr(0, ply.size() - 1), "within face 7 of 8");
   std::string changed = ply;
   changed[ply.size() - 13] = 4;
-  require_refusal("in.ply", changed, "face 7 has 4 corners");
+  require_rejection("in.ply", changed, "face 7 has 4 corners");
   changed = ply;
   changed[ply.size() - 4] = 6;
-  require_refusal("in.ply", changed, "face 7 has vertex 6 of 6");
+  require_rejection("in.ply", changed, "face 7 has vertex 6 of 6");
   Soup infinite = soup;
   infinite.points[2][1] = std::numeric_limits<double>::infinity();
-  require_refusal("in.ply", ply_of(infinite), "vertex 2 is not finite");
-  require_refusal("in.ply", ply_of({soup.points, {}}), "nothing to simplify");
-  require_refusal("in.ply", ply_of({soup.points, {{0, 1, 1}}}), "nothing to simplify");
-  require_refusal("in.ply", replaced(ply, "face 8", "face 7"), "goes on after the last element");
-  require_refusal("in.ply", ply + '\n', "goes on after the last element");
+  require_rejection("in.ply", ply_of(infinite), "vertex 2 is not finite");
+  require_rejection("in.ply", ply_of({soup.points, {}}), "nothing to simplify");
+  require_rejection("in.ply", ply_of({soup.points, {{0, 1, 1}}}), "nothing to simplify");
+  require_rejection("in.ply", replaced(ply, "face 8", "face 7"), "goes on after the last element");
+  require_rejection("in.ply", ply + '\n', "goes on after the last element");
   Soup loose;
   for (const test::Triangle& t : soup.triangles)
     for (const std::uint32_t v : t)
       loose.points.push_back(soup.points[v]);
   for (std::uint32_t v = 0; v < loose.points.size(); v += 3)
     loose.triangles.push_back({v + 1, v + 2, v});
-  require_refusal("in.ply", ply_of(loose),
-                  "no two of its faces share a vertex, so there is nothing to simplify: "
-                  "'weld' merges vertices");
+  require_rejection("in.ply", ply_of(loose),
+                    "no two of its faces share a vertex, so there is nothing to simplify: "
+                    "'weld' merges vertices");
   const std::string stl = test::stl_of(soup);
-  require_refusal("in.stl", test::stl_of({soup.points, {}}), "nothing to simplify");
-  require_refusal("in.stl", stl.substr(0, 50), "ends within the 84 bytes");
-  require_refusal("in.stl", stl.substr(0, stl.size() - 1),
-                  "483 bytes; with 8 faces it would have 484");
-  require_refusal("in.stl", "solid x\nendsolid\n", "is a text file");
+  require_rejection("in.stl", test::stl_of({soup.points, {}}), "nothing to simplify");
+  require_rejection("in.stl", stl.substr(0, 50), "ends within the 84 bytes");
+  require_rejection("in.stl", stl.substr(0, stl.size() - 1),
+                    "483 bytes; with 8 faces it would have 484");
+  require_rejection("in.stl", "solid x\nendsolid\n", "is a text file");
 }
 
 TEST_CASE("Faces may stand before vertices") {
@@ -1101,18 +1102,18 @@ TEST_CASE("Faces may stand before vertices") {
                              ply.substr(of_vertices, of_faces - of_vertices) + "end_header\n" +
                              ply.substr(faces) + ply.substr(body, faces - body);
   folder.file("in.ply", ply);
-  run(folder, in_parts(folder, part_of_16));
+  run(folder, in_chunks(folder, sixteenth));
   const std::string once = content_of(folder.path("out.ply"));
   folder.file("turned.ply", turned);
-  run(folder, in_parts(folder, part_of_16), 800, "turned.ply");
+  run(folder, in_chunks(folder, sixteenth), 800, "turned.ply");
   CHECK(content_of(folder.path("out.ply")) == once);
   folder.file("turned.ply", turned + '\n');
-  CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, "turned.ply"),
+  CHECK_THROWS_WITH(run(folder, in_chunks(folder, sixteenth), 800, "turned.ply"),
                     Catch::Contains("turned.ply: goes on after the last element"));
   std::string changed = turned;
   changed[turned.find("end_header\n") + 11 + 13] = 4;
   folder.file("turned.ply", changed);
-  CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, "turned.ply"),
+  CHECK_THROWS_WITH(run(folder, in_chunks(folder, sixteenth), 800, "turned.ply"),
                     Catch::Contains("turned.ply: face 1 has 4 corners"));
 }
 
@@ -1120,7 +1121,7 @@ TEST_CASE("Text and polygons become binary triangles first, in the order of the 
   const Folder folder;
   const Soup soup = surface(); // its faces are pairs that share their first edge, or their last
   folder.file("in.ply", ply_of(soup));
-  run(folder, in_parts(folder, part_of_16));
+  run(folder, in_chunks(folder, sixteenth));
   const std::string once = content_of(folder.path("out.ply"));
   std::vector<std::vector<std::uint32_t>> triangles;
   for (const test::Triangle& t : soup.triangles)
@@ -1133,7 +1134,7 @@ TEST_CASE("Text and polygons become binary triangles first, in the order of the 
     const std::string text = text_ply_of(soup.points, faces);
     for (const std::string& content : {text, text.substr(0, text.size() - 1), text + " \n\n"}) {
       folder.file("text.ply", content);
-      const FileReport report = run(folder, in_parts(folder, part_of_16), 800, "text.ply");
+      const FileReport report = run(folder, in_chunks(folder, sixteenth), 800, "text.ply");
       CHECK(report.faces_before == soup.triangles.size());
       CHECK(report.short_faces == faces.size() - triangles.size());
       CHECK(content_of(folder.path("out.ply")) == once);
@@ -1146,7 +1147,7 @@ TEST_CASE("Faces with vertices of their own become one surface where they meet")
   const Folder folder;
   const Soup soup = sewn({surface()}); // its vertices are in the order of the faces
   folder.file("in.ply", ply_of(soup));
-  run(folder, in_parts(folder, part_of_16));
+  run(folder, in_chunks(folder, sixteenth));
   const std::string once = content_of(folder.path("out.ply"));
   Soup loose;
   std::vector<std::vector<std::uint32_t>> faces;
@@ -1159,7 +1160,7 @@ TEST_CASE("Faces with vertices of their own become one surface where they meet")
   }
   for (const std::string& content : {ply_of(loose), text_ply_of(loose.points, faces)}) {
     folder.file("loose.ply", content);
-    OutOfCore options = in_parts(folder, part_of_16);
+    OutOfCore options = in_chunks(folder, sixteenth);
     run(folder, ended_early(options), 800, "loose.ply");
     options.restart = true;
     const FileReport report = run(folder, options, 800, "loose.ply");
@@ -1168,16 +1169,16 @@ TEST_CASE("Faces with vertices of their own become one surface where they meet")
     CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
   }
   folder.file("in.ply", coloured_ply(soup));
-  run(folder, in_parts(folder, part_of_16));
+  run(folder, in_chunks(folder, sixteenth));
   const std::string with_numbers = content_of(folder.path("out.ply"));
   folder.file("loose.ply", coloured_ply(loose));
-  run(folder, in_parts(folder, part_of_16), 800, "loose.ply");
+  run(folder, in_chunks(folder, sixteenth), 800, "loose.ply");
   CHECK(content_of(folder.path("out.ply")) == with_numbers);
   folder.file("loose.ply", ply_of<double>(loose));
-  run(folder, in_parts(folder, part_of_16), 800, "loose.ply");
+  run(folder, in_chunks(folder, sixteenth), 800, "loose.ply");
   CHECK(topology_of(read_ply(folder.path("out.ply"))).is_closed());
   loose.points[7][0] = std::numeric_limits<double>::quiet_NaN();
-  require_refusal("in.ply", ply_of(loose), "vertex 7 is not finite");
+  require_rejection("in.ply", ply_of(loose), "vertex 7 is not finite");
 }
 
 // Tiles in one file, each with vertices of its own.
@@ -1196,7 +1197,7 @@ TEST_CASE("Vertices at exactly the same place become one if that is asked for") 
   const Folder folder;
   const std::vector<Soup> tiles = tiles_of(surface());
   const Soup slit = beside_each_other(tiles);
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   const auto simplified = [&](const std::string& content, bool welds) {
     folder.file("in.ply", content);
     options.welds = welds;
@@ -1257,20 +1258,19 @@ TEST_CASE("Vertices at exactly the same place become one if that is asked for") 
 TEST_CASE("Text that is not what it says is refused by the line, and nothing is left") {
   const std::string text =
       text_ply_of(test::octahedron().points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
-  require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2\n"),
-                  ":17: has fewer values");
-  require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 3 4\n"),
-                  ":17: has more values");
-  require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 6\n"),
-                  ":17: has vertex 6 of 6");
-  require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 x 3\n"),
-                  ":17: 'x' is not a number");
-  require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 2.5\n"),
-                  ":17: '2.5' is not a number of the type int");
-  require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n300 0 2 3\n"),
-                  ":17: '300' is not a number of the type uchar");
-  require_refusal("in.ply", replaced(text, "face 3", "face 2"), ":18: goes on after the last");
-  require_refusal("in.ply", replaced(text, "face 3", "face 4"), "ends before face 3 of 4");
+  require_rejection("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2\n"), ":17: has fewer values");
+  require_rejection("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 3 4\n"),
+                    ":17: has more values");
+  require_rejection("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 6\n"),
+                    ":17: has vertex 6 of 6");
+  require_rejection("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 x 3\n"),
+                    ":17: 'x' is not a number");
+  require_rejection("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 2.5\n"),
+                    ":17: '2.5' is not a number of the type int");
+  require_rejection("in.ply", replaced(text, "\n3 0 2 3\n", "\n300 0 2 3\n"),
+                    ":17: '300' is not a number of the type uchar");
+  require_rejection("in.ply", replaced(text, "face 3", "face 2"), ":18: goes on after the last");
+  require_rejection("in.ply", replaced(text, "face 3", "face 4"), "ends before face 3 of 4");
 }
 
 TEST_CASE("Quadrilaterals and larger polygons are cut as in memory") {
@@ -1289,12 +1289,12 @@ TEST_CASE("Quadrilaterals and larger polygons are cut as in memory") {
         polygons.insert(polygons.end(), {{a, a + 1, b + 1, b}, {a + 1, a + 2, b + 2, b + 1}});
     }
   folder.file("in.ply", text_ply_of(soup.points, polygons));
-  FileReport report = run(folder, in_parts(folder, 600), 400);
+  FileReport report = run(folder, in_chunks(folder, 600), 400);
   CHECK(report.faces_before == 3200);
   CHECK(report.faces_after == 400);
   CHECK(report.fans == 0);
   CHECK(rms(read_ply(folder.path("out.ply")), soup) < 0.002);
-  OutOfCore options = in_parts(folder, 600);
+  OutOfCore options = in_chunks(folder, 600);
   run(folder, options, 4000);
   const Soup whole = read_ply(folder.path("out.ply"));
   CHECK(whole.points.size() == soup.points.size());
@@ -1319,16 +1319,16 @@ TEST_CASE("Many colours of faces are no labels, nor are numbers of faces") {
     }
     return ply;
   };
-  require_refusal("in.ply", with("red", 65), "more than 64 colours");
-  require_refusal("in.ply", with("id", 201), "201 different labels");
+  require_rejection("in.ply", with("red", 65), "more than 64 colours");
+  require_rejection("in.ply", with("id", 201), "201 different labels");
   const Folder folder;
   for (const auto& [name, most] : {std::pair("red", 64), std::pair("id", 200)}) {
     folder.file("in.ply", with(name, static_cast<std::size_t>(most)));
-    run(folder, in_parts(folder, part_of_16), 300);
+    run(folder, in_chunks(folder, sixteenth), 300);
     CHECK(content_of(folder.path("out.ply")).find(std::string("ushort ") + name) < 400);
   }
   folder.file("in.ply", with("red", 400));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   options.positions_only = true;
   CHECK(run(folder, options, 300).dropped == std::vector<std::string>{"property red of faces"});
 }
@@ -1345,25 +1345,25 @@ TEST_CASE("What does not go along is refused before anything is written, or told
   const float infinity = std::numeric_limits<float>::infinity();
   std::string infinite;
   test::put_number(infinite, infinity);
-  require_refusal("in.ply", with("property float heat\n", infinite),
-                  "property heat of vertex 0 is not finite");
+  require_rejection("in.ply", with("property float heat\n", infinite),
+                    "property heat of vertex 0 is not finite");
   std::string many;
   for (int i = 0; i < 65; ++i)
     many += "property uchar a" + std::to_string(i) + "\n";
-  require_refusal("in.ply", with(many, std::string(65, '1')),
-                  "its vertices have 65 different attributes");
-  require_refusal("in.ply", with("property list uchar int neighbours\n", std::string(1, '\0')),
-                  "its vertices have lists");
-  require_refusal("in.ply", replaced(ply, "end_header", "property float area\nend_header"),
-                  "has property area of faces, which cannot be kept");
-  require_refusal("in.ply",
-                  replaced(ply, "end_header", "property list uchar float texcoord\nend_header"),
-                  "has property texcoord of faces, which");
-  require_refusal("in.ply", replaced(ply, "end_header", "element edge 5\nend_header"),
-                  "has element edge, which");
+  require_rejection("in.ply", with(many, std::string(65, '1')),
+                    "its vertices have 65 different attributes");
+  require_rejection("in.ply", with("property list uchar int neighbours\n", std::string(1, '\0')),
+                    "its vertices have lists");
+  require_rejection("in.ply", replaced(ply, "end_header", "property float area\nend_header"),
+                    "has property area of faces, which cannot be kept");
+  require_rejection("in.ply",
+                    replaced(ply, "end_header", "property list uchar float texcoord\nend_header"),
+                    "has property texcoord of faces, which");
+  require_rejection("in.ply", replaced(ply, "end_header", "element edge 5\nend_header"),
+                    "has element edge, which");
   const Folder folder;
   folder.file("in.ply", with("property uchar red\n", "7"));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   CHECK(run(folder, options).dropped.empty());
   CHECK(content_of(folder.path("out.ply")).find("property uchar red\n") != std::string::npos);
   options.positions_only = true;
@@ -1374,7 +1374,7 @@ TEST_CASE("What does not go along is refused before anything is written, or told
 TEST_CASE("Files of the scratch folder that have changed end in a sentence") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
   Job job(folder.path("in.ply"), FaceCount{800}, options);
   job.partition();
@@ -1406,15 +1406,15 @@ TEST_CASE(
     "a folder that can't be made, an output that can't be written, memory that is too small") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
-  OutOfCore options = in_parts(folder, part_of_16);
+  OutOfCore options = in_chunks(folder, sixteenth);
   options.scratch = folder.path("in.ply") / "scratch";
   CHECK_THROWS_WITH(run(folder, options), Catch::Contains("cannot be made"));
   options.scratch.clear();
   CHECK_THROWS_AS(run(folder, options), std::invalid_argument);
-  options = in_parts(folder, part_of_16);
+  options = in_chunks(folder, sixteenth);
   options.memory = 1'000'000;
   CHECK_THROWS_WITH(run(folder, options), Catch::Contains("is too small"));
-  options = in_parts(folder, part_of_16);
+  options = in_chunks(folder, sixteenth);
   std::filesystem::create_directory(folder.path("out.ply"));
   CHECK_THROWS_WITH(run(folder, options), Catch::Contains("out.ply: cannot be written"));
   std::filesystem::remove(folder.path("out.ply"));

@@ -114,7 +114,7 @@ void check(const std::filesystem::path& path) {
     require_valid(file.at(FaceCount{level.faces / 2}));
     require_valid(file.at(VertexCount{level.vertices / 2}));
     require_valid(file.at(ErrorAtMost{level.error / 2}));
-    for (const std::uint32_t image : levels.images(levels.finest(), level))
+    for (const std::uint32_t image : levels.vertex_map(levels.finest(), level))
       require(image < level.vertices || image == not_recorded, "an image that is not there");
   }
   walk(levels);

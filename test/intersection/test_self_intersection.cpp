@@ -580,7 +580,7 @@ TEST_CASE(
   check(soup, ThresholdPairs{0.02});
   for (int i = 0; i < 40; ++i)
     soup = test::joined(soup, test::tetrahedron(), {{3.0 + 2 * i, 0, 0}});
-  check(soup, Topology::parts_may_vanish);
+  check(soup, Topology::components_may_vanish);
   soup.triangles.push_back({0, 0, 1});              // of two vertices
   soup.triangles.push_back(soup.triangles.front()); // doubled
   auto [a, b, c] = soup.triangles[1];               // and the back of one

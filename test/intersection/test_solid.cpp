@@ -273,7 +273,7 @@ TEST_CASE("KeepSolid: what is no solid is refused, and told where") {
   const Soup sphere = test::sphere(2);
   CHECK(complaint(sphere, KeepSolid{}, Topology::free).find("keeps the topology") !=
         std::string::npos);
-  CHECK_FALSE(complaint(sphere, KeepSolid{}, Topology::parts_may_vanish).empty());
+  CHECK_FALSE(complaint(sphere, KeepSolid{}, Topology::components_may_vanish).empty());
   CHECK(complaint(sphere, KeepSolid{}, Topology::kept).empty());
   test::PointSoup cubes(test::joined(test::cube(4), test::cube(4), {{1.001, 0, 0}}));
   const Report report = simplify(cubes.points, cubes.triangles, FaceCount{40}, KeepSolid{},

@@ -78,7 +78,7 @@ void add_sheet(SceneAsset& scene, int first, int last, int n, Map map, const Jso
   scene.show(scene.add_mesh(positions, corners), node);
 }
 
-std::set<std::uint32_t> border_of(const GltfSurface& surface) {
+std::set<std::uint32_t> boundary_of(const GltfSurface& surface) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& triangle : surface.triangles)
     for (std::size_t i = 0; i < 3; ++i)
@@ -92,9 +92,9 @@ std::set<std::uint32_t> border_of(const GltfSurface& surface) {
 
 /// Where a mesh has its border at a place x of the scene, the other coordinates.
 template <class ToScene>
-std::set<std::array<long, 2>> border_at(const GltfSurface& surface, double x, ToScene to_scene) {
+std::set<std::array<long, 2>> boundary_at(const GltfSurface& surface, double x, ToScene to_scene) {
   std::set<std::array<long, 2>> places;
-  for (const std::uint32_t v : border_of(surface)) {
+  for (const std::uint32_t v : boundary_of(surface)) {
     const Vector place = to_scene(surface.place(v));
     if (std::abs(place[0] - x) < 1e-3)
       places.insert({std::lround(place[1] * 1e3), std::lround(place[2] * 1e3)});
@@ -117,13 +117,13 @@ TEST_CASE("meshes that meet stay together") {
       // Their common border may bend, but not for one of them alone.
       std::set<Vector> ends;
       std::size_t common = 0;
-      for (const std::uint32_t v : border_of(left[k]))
+      for (const std::uint32_t v : boundary_of(left[k]))
         ends.insert(left[k].place(v));
-      for (const std::uint32_t v : border_of(left[k + 1]))
+      for (const std::uint32_t v : boundary_of(left[k + 1]))
         common += ends.contains(left[k + 1].place(v));
       CHECK(common >= 2);
       std::size_t lone = 0; // off the outer border
-      for (const std::uint32_t v : border_of(left[k + 1])) {
+      for (const std::uint32_t v : boundary_of(left[k + 1])) {
         const Vector p = left[k + 1].place(v);
         lone += std::abs(p[0] - 8. * static_cast<double>(k + 1)) < 2 && p[1] > 1 && p[1] < 23 &&
                 !ends.contains(p);
@@ -148,9 +148,9 @@ TEST_CASE("meshes meet where their nodes bring them, mirrored or scaled") {
   const auto rounded = [](const Vector& p) {
     return std::array{std::lround(p[0] * 1e3), std::lround(p[1] * 1e3), std::lround(p[2] * 1e3)};
   };
-  for (const std::uint32_t v : border_of(left[0]))
+  for (const std::uint32_t v : boundary_of(left[0]))
     ends.insert(rounded(left[0].place(v)));
-  for (const std::uint32_t v : border_of(left[1]))
+  for (const std::uint32_t v : boundary_of(left[1]))
     if (const Vector p = back(left[1].place(v)); p[0] < 9.5 && p[1] > 1 && p[1] < 23)
       CHECK(ends.contains(rounded(p)));
 }
@@ -160,7 +160,7 @@ TEST_CASE("an instance that meets others is held there") {
   const auto wave = [](const Element& p) {
     return Element{p[0], p[1], std::sin(p[1]) + std::sin(p[0] * std::numbers::pi / 4)};
   };
-  const auto border_of_input = [&](double x) {
+  const auto boundary_of_input = [&](double x) {
     std::set<std::array<long, 2>> places;
     for (int j = 0; j <= 24; ++j)
       places.insert({1000 * j, std::lround(1e3 * wave({x, double(j)})[2])});
@@ -171,23 +171,23 @@ TEST_CASE("an instance that meets others is held there") {
   SECTION("by each other, at two borders") {
     scene.show(0, {{"translation", {8, 0, 0}}});
     const Surfaces left = scene.simplified(0.2);
-    CHECK(border_at(left[0], 0, as_it_is) == border_of_input(0));
-    CHECK(border_at(left[0], 8, as_it_is) == border_of_input(8));
+    CHECK(boundary_at(left[0], 0, as_it_is) == boundary_of_input(0));
+    CHECK(boundary_at(left[0], 8, as_it_is) == boundary_of_input(8));
   }
   SECTION("by their mirror images, at one border") {
     scene.show(0, {{"scale", {-1, 1, 1}}, {"translation", {16, 0, 0}}});
     const Surfaces left = scene.simplified(0.2);
-    CHECK(border_at(left[0], 8, as_it_is) == border_of_input(8));
-    CHECK(border_at(left[0], 0, as_it_is).size() < 20);
+    CHECK(boundary_at(left[0], 8, as_it_is) == boundary_of_input(8));
+    CHECK(boundary_at(left[0], 0, as_it_is).size() < 20);
   }
   SECTION("by a mesh that is shown once, which is held too") {
     scene.show(0, {{"translation", {0, 100, 0}}});
     add_sheet(scene, 8, 16, 24, wave, Json::object());
     const Surfaces left = scene.simplified(0.2);
     for (const GltfSurface& surface : left)
-      CHECK(border_at(surface, 8, as_it_is) == border_of_input(8));
-    CHECK(border_at(left[0], 0, as_it_is).size() < 20);
-    CHECK(border_at(left[1], 16, as_it_is).size() < 20);
+      CHECK(boundary_at(surface, 8, as_it_is) == boundary_of_input(8));
+    CHECK(boundary_at(left[0], 0, as_it_is).size() < 20);
+    CHECK(boundary_at(left[1], 16, as_it_is).size() < 20);
   }
 }
 

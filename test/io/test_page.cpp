@@ -138,7 +138,7 @@ TEST_CASE("a page holds each level of parts that vanish whole") {
   Soup soup = test::sphere(2);
   for (int i = 1; i < 9; ++i)
     soup = test::joined(soup, test::tetrahedron(), {{3. * i, 0.5 * i * i, 0}});
-  const Levels levels = levels_of(soup, 20, Topology::parts_may_vanish);
+  const Levels levels = levels_of(soup, 20, Topology::components_may_vanish);
   REQUIRE(levels.coarsest().faces <= 20);
   require_levels(levels, 1000);
   require_levels(levels, 100);

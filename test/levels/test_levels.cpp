@@ -193,7 +193,7 @@ void require_replayed(const Levels& levels, const Log& log, bool is_manifold) {
     for (std::size_t v = 0; v < level.vertices; ++v)
       for (std::size_t k = 0; k < 3; ++k)
         is_equal = is_equal && level.points[v][k] == replay.values(level.input_vertices[v])[k];
-    const std::vector<std::uint32_t> images = levels.images(level);
+    const std::vector<std::uint32_t> images = levels.vertex_map(level);
     for (std::uint32_t v = 0; v < images.size(); ++v)
       is_equal = is_equal && (vertices.count(replay.image(v))
                                   ? level.input_vertices.at(images[v]) == replay.image(v)
@@ -303,7 +303,7 @@ TEST_CASE("members of a level are the input's vertices, each once") {
   simplify(points, triangles, FaceCount{12}, Topology::free, record_into(levels));
   for (const std::size_t faces : {400U, 150U, 40U, 12U}) {
     const LevelInfo level = levels.info(FaceCount{faces});
-    const std::vector<std::uint32_t> images = levels.images(level);
+    const std::vector<std::uint32_t> images = levels.vertex_map(level);
     const LevelMembers members = levels.members(level);
     REQUIRE(members.size() == level.vertices);
     std::vector<std::uint32_t> seen(images.size(), not_recorded);
@@ -314,8 +314,8 @@ TEST_CASE("members of a level are the input's vertices, each once") {
       }
     CHECK(seen == images);
     const LevelInfo fine = levels.info(FaceCount{faces * 3 / 2});
-    const std::vector<std::uint32_t> on_fine = levels.images(fine);
-    const std::vector<std::uint32_t> between = levels.images(fine, level);
+    const std::vector<std::uint32_t> on_fine = levels.vertex_map(fine);
+    const std::vector<std::uint32_t> between = levels.vertex_map(fine, level);
     for (std::size_t input = 0; input < images.size(); ++input)
       CHECK(images[input] ==
             (on_fine[input] == not_recorded ? not_recorded : between[on_fine[input]]));

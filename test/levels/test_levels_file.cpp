@@ -88,7 +88,7 @@ TEST_CASE("levels are read as they were written") {
       require_same(file.at(AfterContractions{faces / 2}), levels.at(AfterContractions{faces / 2}));
       require_same(file.at(ErrorAtMost{level.error}), levels.at(ErrorAtMost{level.error}));
       require_same(file.at(ErrorAtMost{level.error / 2}), levels.at(ErrorAtMost{level.error / 2}));
-      CHECK(all.images(level) == levels.images(level));
+      CHECK(all.vertex_map(level) == levels.vertex_map(level));
     }
     CHECK_THROWS_AS(file.at(DistanceAtMost{1}), std::logic_error);
   }
@@ -178,16 +178,16 @@ TEST_CASE("a segment of which a contraction is none of two vertices is refused")
     return internal::SegmentBytes::read(internal::SegmentBytes::write(s, false), {3});
   };
   CHECK(read(segment).tracks.front().parents == vertices.parents);
-  const auto check_refused = [&](auto change) {
+  const auto check_rejected = [&](auto change) {
     internal::LevelSegment changed = segment;
     change(changed.tracks.front());
     CHECK_THROWS_WITH(read(changed), "a contraction does not have two vertices");
   };
-  check_refused([](internal::LevelTrack& track) { track.changed = {1}; });
-  check_refused([](internal::LevelTrack& track) { track.parents[1] = 2; });
-  check_refused([](internal::LevelTrack& track) { track.change_ends = {1, 1}; });
-  check_refused([](internal::LevelTrack& track) { track.items_after = {3, 3}; });
-  check_refused([](internal::LevelTrack& track) {
+  check_rejected([](internal::LevelTrack& track) { track.changed = {1}; });
+  check_rejected([](internal::LevelTrack& track) { track.parents[1] = 2; });
+  check_rejected([](internal::LevelTrack& track) { track.change_ends = {1, 1}; });
+  check_rejected([](internal::LevelTrack& track) { track.items_after = {3, 3}; });
+  check_rejected([](internal::LevelTrack& track) {
     track.changed = {2, 2};
     track.changed_values.assign(6, 1.);
     track.change_ends = {0, 2};

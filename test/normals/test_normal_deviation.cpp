@@ -259,7 +259,7 @@ TEST_CASE("Normals stay within the angle: borders, and sheets that meet") {
     check(waves(), degrees, FaceRatio{0.05});
     check(three_sheets(), degrees, FaceRatio{0.1});
     check(three_sheets(), degrees, FaceRatio{0.1}, Topology::free);
-    check(waves(), degrees, FaceRatio{0.05}, Topology::parts_may_vanish);
+    check(waves(), degrees, FaceRatio{0.05}, Topology::components_may_vanish);
   }
 }
 
@@ -270,8 +270,8 @@ TEST_CASE("Normals stay within the angle: where topology is free, and pairs are 
   check(near, 40, FaceRatio{0.05}, ThresholdPairs(0.08));
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     CAPTURE(seed);
-    const Soup soup = test::with_noise(test::random_with_borders(seed), seed, 0.2);
-    for (const auto topology : {Topology::kept, Topology::free, Topology::parts_may_vanish}) {
+    const Soup soup = test::with_noise(test::random_with_boundaries(seed), seed, 0.2);
+    for (const auto topology : {Topology::kept, Topology::free, Topology::components_may_vanish}) {
       const Run of = run(soup, FaceCount{3}, topology, NormalFlip{180}, NormalDeviation{60});
       CHECK(of.deviation.greatest <= 60);
       const Run joining =

@@ -135,7 +135,7 @@ TEST_CASE("Each contraction is the cheapest that there is") {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     CAPTURE(seed);
     require_same<Quadric>(test::random_closed(seed));
-    require_same<Quadric>(test::random_with_borders(seed));
+    require_same<Quadric>(test::random_with_boundaries(seed));
   }
   require_same<Quadric>(test::random_closed(7), ThresholdPairs(0x1p22 / 8));
 }

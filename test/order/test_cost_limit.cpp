@@ -206,17 +206,17 @@ TEST_CASE("A limit that all contractions are below is met when none is left") {
 
 TEST_CASE("A part vanishes only if it costs less than the limit") {
   Soup soup = joined(model(), times(model(), 1e-3), {{3, 0, 0}});
-  const std::vector<double> costs = costs_of(soup, Quadric{}, Topology::parts_may_vanish);
+  const std::vector<double> costs = costs_of(soup, Quadric{}, Topology::components_may_vanish);
   for (const bool in_passes : {false, true}) {
     AnyOrder order = GreedyOrder{};
     if (in_passes)
       order = RelaxedOrder{};
     Soup left = soup;
-    CHECK(reduce(left, Quadric{}, CostLimit{0}, Topology::parts_may_vanish, order).vanished_parts ==
-          0);
+    CHECK(reduce(left, Quadric{}, CostLimit{0}, Topology::components_may_vanish, order)
+              .vanished_components == 0);
     left = soup;
-    CHECK(reduce(left, Quadric{}, CostLimit{1e-4}, Topology::parts_may_vanish, order)
-              .vanished_parts == 1);
+    CHECK(reduce(left, Quadric{}, CostLimit{1e-4}, Topology::components_may_vanish, order)
+              .vanished_components == 1);
   }
 }
 

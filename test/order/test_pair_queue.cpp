@@ -243,24 +243,24 @@ TEST_CASE("A pair that was refused for a face in its way comes back once, when t
   std::vector<float> released;
   const auto keep = [&](const QueuedPair& p) { released.push_back(p.cost); };
   rejected.add({1, 0, 1, 0});
-  CHECK_FALSE(rejected.has_behind());
+  CHECK_FALSE(rejected.has_obstructed());
   rejected.add({2, 1, 2, 0}, false, 7);
   rejected.add({3, 2, 3, 0}, false, 7);
   rejected.add({4, 0, 3, 0}, false, 9);
-  CHECK(rejected.has_behind());
-  rejected.release_behind(8, keep);
-  rejected.release_behind(100, keep);
+  CHECK(rejected.has_obstructed());
+  rejected.release_obstructed(8, keep);
+  rejected.release_obstructed(100, keep);
   CHECK(released.empty());
   rejected.release(1, all, keep);
   CHECK(released == std::vector<float>{1, 2});
   rejected.add({5, 0, 1, 0}, false, 7); // the one before it makes room
-  rejected.release_behind(7, keep);
+  rejected.release_obstructed(7, keep);
   CHECK(released == std::vector<float>{1, 2, 3, 5});
-  rejected.release_behind(7, keep);
+  rejected.release_obstructed(7, keep);
   for (std::uint32_t v = 0; v < 4; ++v)
     rejected.release(v, all, keep);
   CHECK(released == std::vector<float>{1, 2, 3, 5, 4});
-  rejected.release_behind(9, keep);
+  rejected.release_obstructed(9, keep);
   CHECK(released.size() == 5);
   CHECK(rejected.size() == 0);
 }

@@ -42,7 +42,7 @@ TEST_CASE("Surfaces with borders are simplified as by brute force") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 12));
   const double boundary_weight = GENERATE(100.0, 1.0, 0.0);
   CAPTURE(seed, boundary_weight);
-  require_same_contractions(test::random_with_borders(seed), boundary_weight);
+  require_same_contractions(test::random_with_boundaries(seed), boundary_weight);
 }
 
 TEST_CASE("Flat surfaces are simplified as by brute force") {

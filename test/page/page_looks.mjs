@@ -78,7 +78,7 @@ function testLargest() {
   check(Buffer.from(elementOf(page, "data"), "base64").length === 4 * Object.values(header.arrays).reduce((sum, [, , n]) => sum + n, 0), "the data");
 }
 
-function testRefusals() {
+function testRejections() {
   const { points, faces } = ball(6);
   const input = folder.write("b.off", off(points, faces));
   const refuses = (what, ...args) => {
@@ -99,7 +99,7 @@ try {
   testGltf();
   testObj();
   testLargest();
-  testRefusals();
+  testRejections();
 } finally {
   folder.remove();
 }

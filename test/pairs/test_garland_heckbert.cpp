@@ -118,7 +118,7 @@ TEST_CASE("other models, by edges") {
 
 TEST_CASE("borders stay, and what is flat") {
   const Near sheet(with_noise(grid(20, 30), 5, 0.1), 200, 0);
-  CHECK(topology_of(sheet.ours).border_loops == 1);
+  CHECK(topology_of(sheet.ours).boundary_loops == 1);
   const Soup flat = grid(12, 12);
   CHECK(rms(flat, by_the_paper(flat, 20, 0)) < 1e-6);
 }

@@ -87,7 +87,7 @@ TEST_CASE("Segments are those of the policy: edges only, or no edges but its own
 }
 
 TEST_CASE("Segments of a mesh are those of its soup, counted off where vertices were removed") {
-  const test::Soup soup = test::random_with_borders(4);
+  const test::Soup soup = test::random_with_boundaries(4);
   Mesh mesh = test::make_mesh(soup);
   const ThresholdPairs pairs = ThresholdPairs::relative(0.1);
   simplify(mesh, FaceRatio{0.6});

@@ -73,7 +73,7 @@ Soup two_tetrahedra(double distance) {
 
 TEST_CASE("With t = 0 the result is that of EdgePairs, to the bit") {
   const std::uint64_t seed = GENERATE(range(0u, 6u));
-  for (const Soup& soup : {random_closed(seed), random_with_borders(seed), two_parts()}) {
+  for (const Soup& soup : {random_closed(seed), random_with_boundaries(seed), two_parts()}) {
     const Result by_edges = OnSoup::run(soup, Quadric{}, EdgePairs{});
     const Result by_pairs = OnSoup::run(soup, Quadric{}, ThresholdPairs{0});
     CHECK(is_identical(by_pairs.soup, by_edges.soup));
@@ -325,7 +325,7 @@ TEST_CASE("No pair is there twice, at the beginning or after contractions") {
 
 TEST_CASE("Neither degenerate nor duplicate faces are ever left, but backs") {
   const std::uint64_t seed = GENERATE(0u, 1u, 2u);
-  Soup soup = joined(random_closed(seed), random_with_borders(seed + 1), {{0.3, 0.2, 0.1}});
+  Soup soup = joined(random_closed(seed), random_with_boundaries(seed + 1), {{0.3, 0.2, 0.1}});
   for (std::size_t i = 0; i < 10; ++i) {
     const Triangle t = soup.triangles[7 * i];
     soup.triangles.push_back({t[2], t[1], t[0]}); // the other way round

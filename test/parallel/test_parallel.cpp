@@ -73,8 +73,8 @@ TEMPLATE_TEST_CASE("The same parts vanish with any number of threads", "", Quadr
     require_same(test::make_mesh(input), {1, 2, 5}, [&](Mesh& mesh, unsigned threads) {
       const Report report = simplify<TestType, OptimalPlacement>(
           mesh, FaceRatio{0.01}, RelaxedOrder{.refresh = refresh, .threads = threads},
-          Topology::parts_may_vanish);
-      REQUIRE(report.vanished_parts > 50);
+          Topology::components_may_vanish);
+      REQUIRE(report.vanished_components > 50);
       REQUIRE(test::is_valid_triangle_mesh(mesh));
       return report;
     });

@@ -154,7 +154,7 @@ TEST_CASE("voxels get their corners and no other vertex") {
     CHECK(after.points.size() == count_corners(cubes));
     CHECK(report.faces_after == after.triangles.size());
     CHECK(report.vertices_after == after.points.size());
-    CHECK(report.patches_with_border + report.patches_unchanged == 0);
+    CHECK(report.patches_with_boundary + report.patches_unchanged == 0);
     CHECK(covered(after) == covered(before));
     CHECK(is_balanced(after));
     CHECK(test::topology_of(after).euler() == test::topology_of(before).euler());
@@ -384,17 +384,17 @@ TEST_CASE("what is constrained stays") {
   test::Mesh mesh = test::make_mesh(test::mapped(before, [](const Position& p) {
     return Position{{p[0] + 0.5 * p[1], p[1], 0}};
   }));
-  auto is_held = mesh.add_property_map<test::Mesh::Edge_index, bool>("held", false).first;
+  auto is_met = mesh.add_property_map<test::Mesh::Edge_index, bool>("held", false).first;
   const auto held = [&](std::uint32_t v, std::uint32_t w) {
     const auto h = mesh.halfedge(test::Mesh::Vertex_index(v), test::Mesh::Vertex_index(w));
     REQUIRE(h != test::Mesh::null_halfedge());
-    is_held[mesh.edge(h)] = true;
+    is_met[mesh.edge(h)] = true;
     return mesh.edge(h);
   };
   const auto edge = held(inside, inside + 10);
   held(inside + 1, inside + 2);
   held(inside + 9, inside + 8);
-  remesh_planar_patches(mesh, CGAL::parameters::edge_is_constrained_map(is_held));
+  remesh_planar_patches(mesh, CGAL::parameters::edge_is_constrained_map(is_met));
   CHECK(test::is_valid_triangle_mesh(mesh));
   REQUIRE_FALSE(mesh.is_removed(edge));
   CHECK(std::set<std::uint32_t>{mesh.vertex(edge, 0), mesh.vertex(edge, 1)} ==
@@ -415,7 +415,7 @@ TEST_CASE("an edge of three faces, and parts that touch, stay as they hang toget
   remesh(fan);
   CHECK(fan.points.size() == 2 + 3 * 2);
   CHECK(fan.triangles.size() == 6);
-  CHECK(test::topology_of(fan).border_edges == 9);
+  CHECK(test::topology_of(fan).boundary_edges == 9);
   CHECK(test::topology_of(fan).euler() == test::topology_of(before).euler());
 
   // Two sheets that meet in a vertex: inside of one, and inside or on the border of the other.
@@ -500,7 +500,7 @@ TEST_CASE("sheets that would fall on each other stay apart") {
       for (std::uint32_t& v : t)
         v = v >= 9 && v <= 11 ? v - 9 + 21 : v;
   const auto open = test::topology_of(slit);
-  REQUIRE(open.border_loops == 2);
+  REQUIRE(open.boundary_loops == 2);
   Soup closed = slit;
   remesh(closed);
   CHECK(is_same_topology(test::topology_of(closed), open));
@@ -528,7 +528,7 @@ TEST_CASE("where straight borders would cross, or a patch lies over itself, more
   });
   Soup after = sheet;
   PlanarReport report = remesh(after, PlanarTolerance(0.3));
-  CHECK(report.patches_with_border == 1);
+  CHECK(report.patches_with_boundary == 1);
   CHECK(report.patches_unchanged == 0);
   CHECK(after.points.size() == 4 * 8 + 6);
   CHECK(is_same_topology(test::topology_of(after), test::topology_of(sheet)));

@@ -240,10 +240,10 @@ struct EmitOfOneIndex {
 };
 static_assert(!PairPolicy<EmitOfOneIndex>);
 
-struct GivesBack {
+struct GivesReverse {
   std::vector<int> operator()(const SurfaceView&, const EmitPair&) const { return {}; }
 };
-static_assert(!PairPolicy<GivesBack>);
+static_assert(!PairPolicy<GivesReverse>);
 
 struct ChangesTheSurface {
   void operator()(SurfaceView&, const EmitPair&) const {}

@@ -72,7 +72,7 @@ TEST_CASE("A fixed vertex that keeps a face is in nobody's way where topology is
 
 TEST_CASE("A vertex goes with its last face, and is counted") {
   for (std::size_t faces = 0; faces < 60; ++faces) {
-    PointSoup soup(test::random_with_borders(4));
+    PointSoup soup(test::random_with_boundaries(4));
     const Report report = simplify<EdgeLength, MidpointPlacement>(
         soup.points, soup.triangles, FaceCount{faces}, NormalFlip{180});
     CHECK(report.vertices_after == soup.points.size());

@@ -23,11 +23,11 @@ struct Face {
 struct Contraction {
   std::vector<Face> all;
   std::size_t degree = 0;
-  bool is_fold = false;
+  bool is_fold_over = false;
 
   const std::vector<Face>& faces() const { return all; }
   std::size_t highest_degree() const { return degree; }
-  bool makes_fold() const { return is_fold; }
+  bool makes_fold_over() const { return is_fold_over; }
 };
 
 // The face of the edge from 0 to (1, 0, 0), its corner turned about the edge by so many degrees.
@@ -61,12 +61,12 @@ TEST_CASE("A normal turns by less than the angle of the filter") {
 
 TEST_CASE("A fold is refused if a face turns by more than 20 degrees") {
   const auto folded = [](double degrees) {
-    return Contraction{.all = turned(degrees).all, .is_fold = true};
+    return Contraction{.all = turned(degrees).all, .is_fold_over = true};
   };
   CHECK(NormalFlip().allows(folded(19.9)));
   CHECK_FALSE(NormalFlip().allows(folded(20.1)));
   CHECK_FALSE(NormalFlip(135).allows(folded(20.1)));
-  CHECK(NormalFlip(90, Folds::allowed).allows(folded(20.1)));
+  CHECK(NormalFlip(90, FoldOvers::allowed).allows(folded(20.1)));
   CHECK(NormalFlip(180).allows(folded(20.1)));
 }
 

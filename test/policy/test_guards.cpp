@@ -141,7 +141,8 @@ TEST_CASE("A guard keeps what depends on all contractions, in every order") {
   check_cells<true>(input, RelaxedOrder{});
   check_cells<true>(input, RelaxedOrder{}, MemorylessQuadric{});
   check_cells<false>(input, EndpointPlacement{}, Topology::free);
-  check_cells<false>(test::joined(input, test::sphere(2), {{3, 0, 0}}), Topology::parts_may_vanish);
+  check_cells<false>(test::joined(input, test::sphere(2), {{3, 0, 0}}),
+                     Topology::components_may_vanish);
 }
 
 TEST_CASE("A guard sees the surface of the input, and each contraction, by the input's indices") {
@@ -235,8 +236,8 @@ TEST_CASE("A guard is told of parts that vanish") {
   Soup soup = test::joined(test::sphere(3), speck, {{1.2, 0, 0}});
   Told told;
   const Report report = simplify(soup.points, soup.triangles, FaceCount{40},
-                                 Topology::parts_may_vanish, Follower{&told});
-  CHECK(report.vanished_parts == 1);
+                                 Topology::components_may_vanish, Follower{&told});
+  CHECK(report.vanished_components == 1);
   CHECK(told.vanished_faces > 0);
   CHECK(2 * told.kept_and_gone.size() + told.vanished_faces ==
         report.faces_before - report.faces_after);

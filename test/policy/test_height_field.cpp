@@ -34,7 +34,7 @@ Soup terrain(double steepness) {
   });
 }
 
-bool is_at_border(std::size_t point) {
+bool is_at_boundary(std::size_t point) {
   const std::size_t x = point % (side + 1), y = point / (side + 1);
   return x == 0 || x == side || y == 0 || y == side;
 }
@@ -59,7 +59,7 @@ OnMap on_map(const Soup& soup) {
 template <class... Policies>
 Soup tile_of(Soup soup, const Policies&... policies) {
   const auto is_fixed = boost::make_function_property_map<std::size_t>(
-      [](std::size_t point) { return is_at_border(point); });
+      [](std::size_t point) { return is_at_boundary(point); });
   simplify(soup.points, soup.triangles, FaceRatio{0.1}, policies...,
            CGAL::parameters::vertex_is_constrained_map(is_fixed));
   return soup;

@@ -135,7 +135,7 @@ std::size_t contract_and_check(const Soup& soup, int sign, bool are_floats) {
     const auto [a, b] = std::minmax(v, *w);
     auto candidate = surface.evaluator().evaluate(a, b);
     const internal::GatheredStar star(surface.complex(), a, b, surface.scratch());
-    if (!surface.evaluator().settle(candidate, *star))
+    if (!surface.evaluator().resolve(candidate, *star))
       continue;
     typename decltype(surface)::Contraction contraction(candidate, star);
     if (surface.checks().rejection(contraction))
@@ -393,6 +393,6 @@ TEST_CASE("A surface that encloses nothing has no hull, and stays as it is") {
     std::swap(t[0], t[1]);
   CHECK(contains(message(inward), "oriented inwards"));
   CHECK(contains(message(test::sphere(2), Topology::free), "keeps the topology"));
-  CHECK(contains(message(test::sphere(2), Topology::parts_may_vanish), "keeps the topology"));
+  CHECK(contains(message(test::sphere(2), Topology::components_may_vanish), "keeps the topology"));
   CHECK(contains(message(test::sphere(2), ThresholdPairs{1}), "keeps the topology"));
 }

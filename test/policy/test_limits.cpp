@@ -224,9 +224,9 @@ TEST_CASE("EdgeCount stops at so many edges, whatever contractions take") {
   const Soup speck = mapped(octahedron(), [](const Position& p) { return 0.01 * p; });
   for (int i = 0; i < 20; ++i)
     parts = joined(parts, speck, {{9, 0, 1.0 * i}});
-  CHECK(simplified_soup(parts, EdgeCount{300}, Topology::parts_may_vanish).second.vanished_parts >
-        0);
-  check_counted_edges(parts, Topology::parts_may_vanish);
+  CHECK(simplified_soup(parts, EdgeCount{300}, Topology::components_may_vanish)
+            .second.vanished_components > 0);
+  check_counted_edges(parts, Topology::components_may_vanish);
   const Soup cubes = random_cubes(9, 4); // edges of four faces, and tunnels that close
   REQUIRE_FALSE(topology_of(cubes).is_manifold);
   check_counted_edges(cubes);

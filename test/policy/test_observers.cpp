@@ -72,7 +72,7 @@ std::pair<Observer, Report> observed(const Soup& soup, const Arguments&... argum
   CHECK(observer.counts() == report.rejections);
   CHECK(observer.stopped == report.stop);
   CHECK(observer.stopped_before_end);
-  CHECK(observer.contractions.size() == report.contractions + report.vanished_parts);
+  CHECK(observer.contractions.size() == report.contractions + report.vanished_components);
   return {observer, report};
 }
 
@@ -130,7 +130,8 @@ TEST_CASE("A placement that finds no place is told of, in any order") {
 TEST_CASE("A part that may not vanish is told without ends") {
   const Soup small = mapped(sphere(1), [](const Position& p) { return 0.05 * p; });
   const Soup soup = joined(sphere(3), small, {{5, 0, 0}});
-  const auto [observer, report] = observed(soup, DistanceLimit{0.09}, Topology::parts_may_vanish);
+  const auto [observer, report] =
+      observed(soup, DistanceLimit{0.09}, Topology::components_may_vanish);
   const bool has_one = std::any_of(
       observer.rejections.begin(), observer.rejections.end(), [](const auto& rejection) {
         return rejection.first == not_recorded && rejection.second == not_recorded;

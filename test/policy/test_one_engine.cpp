@@ -33,7 +33,7 @@ struct NeedsMoreThanItSays : OwnStop {
 struct OwnPlacement {
   auto operator()(const auto&, const auto& pair) const { return pair.second; }
 };
-struct RefusesAll {
+struct RejectsAll {
   static constexpr Rejection cause = Rejection::shape;
   int* calls;
   bool allows(const auto&) const { return ++*calls, false; }
@@ -58,7 +58,7 @@ TEST_CASE("One engine is compiled for a cost and the placements that are built i
   Listener listener;
   const auto plain = pick_policies<NotGiven, NotGiven>();
   CHECK(are_alike(plain, pick_policies<NotGiven, NotGiven>(OwnStop{}, EndpointPlacement{},
-                                                           RelaxedOrder{}, RefusesAll{&calls},
+                                                           RelaxedOrder{}, RejectsAll{&calls},
                                                            Topology::free, record_into(listener),
                                                            CGAL::parameters::visitor(Watcher()))));
   CHECK(are_alike(plain,
@@ -90,8 +90,8 @@ TEST_CASE("A stop policy needs what those in it need, and what that implies") {
     return pick_policies<NotGiven, NotGiven>(stop).stop.needs();
   };
   const Needs one_way{.distance = true};
-  const Needs both_ways{.distance = true, .distance_back = true};
-  const Needs tolerance{.distance = true, .distance_back = true, .tolerance = true};
+  const Needs both_ways{.distance = true, .reverse_distance = true};
+  const Needs tolerance{.distance = true, .reverse_distance = true, .tolerance = true};
   CHECK(needs(OwnStop{}) == Needs{});
   CHECK(needs(DistanceLimit(1)) == one_way);
   CHECK(needs(HausdorffLimit(1)) == both_ways);
@@ -99,14 +99,14 @@ TEST_CASE("A stop policy needs what those in it need, and what that implies") {
   CHECK(needs(AnyOf{FaceCount{10}, AllOf{EdgeCount{10}, CostLimit(1)}}) ==
         Needs{.cost = true, .edges = true});
   CHECK(needs(AllOf{CostLimit(1), HausdorffLimit(1)}) ==
-        Needs{.distance = true, .distance_back = true, .cost = true});
+        Needs{.distance = true, .reverse_distance = true, .cost = true});
 }
 
 TEST_CASE("Filters are asked in their order after the first NormalFlip, and as which they refuse") {
   test::PointSoup soup(test::sphere(3));
   int first = 0, second = 0;
-  const Report report = simplify(soup.points, soup.triangles, FaceCount{100}, RefusesAll{&first},
-                                 RefusesAll{&second});
+  const Report report = simplify(soup.points, soup.triangles, FaceCount{100}, RejectsAll{&first},
+                                 RejectsAll{&second});
   CHECK(first > 0);
   CHECK(second == 0);
   CHECK(report.contractions == 0);
@@ -114,6 +114,6 @@ TEST_CASE("Filters are asked in their order after the first NormalFlip, and as w
 
   soup = test::PointSoup(test::sphere(3));
   first = 0;
-  simplify(soup.points, soup.triangles, FaceCount{100}, RefusesAll{&first}, NormalFlip(1e-6));
+  simplify(soup.points, soup.triangles, FaceCount{100}, RejectsAll{&first}, NormalFlip(1e-6));
   CHECK(first == 0); // the other refuses all that moves a face
 }

@@ -49,7 +49,7 @@ void check_optional(const Policy& policy, const Others&... others) {
   CHECK(are_same(without, simplified_by(std::optional<Policy>(), others...)));
 }
 
-struct RefusesAll {
+struct RejectsAll {
   static constexpr Rejection cause = Rejection::shape;
   bool allows(const auto&) const { return false; }
 };
@@ -78,7 +78,7 @@ TEST_CASE("A std::optional of a policy is that policy, or as if it were not ther
   check_optional(ThresholdPairs(0.5), count);
   check_optional(RelaxedOrder{}, count);
   check_optional(AnyOrder(RelaxedOrder{}), count);
-  check_optional(RefusesAll{}, count);
+  check_optional(RejectsAll{}, count);
   check_optional(NormalFlip(10), count); // and 90 degrees without one
   check_optional(Topology::free, FaceCount{2});
   CHECK(are_same(simplified_by(std::optional(GreedyOrder{}), count), simplified_by(count)));
@@ -192,5 +192,5 @@ TEST_CASE("What an empty std::optional could need is not needed") {
   CHECK(needs(std::optional(DistanceLimit(1))) == Needs{.distance = true});
   CHECK(needs(AnyOf{std::optional<HausdorffLimit>(), CostLimit(1)}) == Needs{.cost = true});
   CHECK(needs(AnyOf{std::optional(HausdorffLimit(1)), FaceCount{1}}) ==
-        Needs{.distance = true, .distance_back = true});
+        Needs{.distance = true, .reverse_distance = true});
 }

@@ -106,7 +106,7 @@ private:
     if (!verdict) {
       std::string text;
       for (const Finding& f : verdict.findings)
-        if (!f.is_held)
+        if (!f.is_met)
           text += f.claim + ": " + std::to_string(f.promised) + " promised, " +
                   std::to_string(f.measured) + " measured, error " + std::to_string(f.error) + "; ";
       tell(promise, text + std::to_string(result.report.faces_before) + " -> " +
@@ -126,12 +126,12 @@ private:
     Claims claims{.no_self_intersection = o.no_self_intersection || o.keep_solid};
     claims.solid = o.keep_solid && verify(points_, surface_.soup.triangles, points_,
                                           surface_.soup.triangles, {.solid = true})
-                                       .is_held();
+                                       .is_met();
     claims.tolerances = o.tolerance;
     if (o.both_ways) // as one tolerance for all, since CGAL takes long where surfaces nearly agree
       claims.tolerances.assign(points_.size(), result.report.hausdorff_bound);
     claims.normal_deviation = result.report.normal_bound_degrees;
-    claims.images = result.image;
+    claims.vertex_map = result.image;
     return claims;
   }
 

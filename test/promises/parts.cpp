@@ -3,13 +3,13 @@
 // broken, and fails if anything is.
 //   parts FIRST_SEED COUNT [MODEL.off...]    models are simplified beside the others, in their
 //   turn
-#include "part_attack.h"
+#include "chunk_attack.h"
 #include "seeds.h"
 
 #include <cstdint>
 
 int main(int argc, char** argv) {
   return test::check_seeds(argc, argv, [](std::uint64_t seed, const test::Surface& surface) {
-    return test::is_none_broken(test::PartAttack(seed, surface).broken());
+    return test::is_none_broken(test::ChunkAttack(seed, surface).broken());
   });
 }

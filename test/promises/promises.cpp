@@ -79,7 +79,7 @@ public:
     claims("no self-intersection", {.no_self_intersection = true}, NoSelfIntersection{},
            FaceRatio{ratio});
     claims("solid", {.no_self_intersection = true, .solid = true}, KeepSolid{}, FaceRatio{ratio});
-    return all_hold_;
+    return are_all_met_;
   }
 
 private:
@@ -116,7 +116,7 @@ private:
         verify(::points_of<double>(input_), input_.triangles, ::points_of<double>(outcome.result),
                outcome.result.triangles, {.tolerances = tolerances});
     const double beyond = std::max(verdict.findings[0].measured, verdict.findings[1].measured);
-    tell(promise, outcome, beyond, 0, verdict.is_held());
+    tell(promise, outcome, beyond, 0, verdict.is_met());
   }
 
   template <class... Arguments>
@@ -133,7 +133,7 @@ private:
     const Verdict verdict =
         verify(::points_of<Number>(input_), input_.triangles, points, triangles, claims);
     tell(promise, {report, {}}, verdict.findings.empty() ? 0 : verdict.findings.back().measured, 0,
-         verdict.is_held());
+         verdict.is_met());
   }
 
   void tell(const char* promise, const Outcome& outcome, double measured, double promised,
@@ -142,14 +142,14 @@ private:
                 outcome.report.faces_before, outcome.report.faces_after, promised, measured,
                 holds ? "" : ": BROKEN");
     std::fflush(stdout);
-    all_hold_ &= holds;
+    are_all_met_ &= holds;
   }
 
   std::string name_;
   Soup input_;
   double diagonal_, rounding_;
   double part_ = 0;
-  bool all_hold_ = true;
+  bool are_all_met_ = true;
 };
 
 bool check(const std::string& name, const Soup& soup) {

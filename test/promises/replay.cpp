@@ -52,7 +52,7 @@ public:
     normals("normals", 45, FaceRatio{0.1}, NormalDeviation{45});
     normals("normals, passes", 45, FaceRatio{0.1}, NormalDeviation{45}, RelaxedOrder{});
     normals("normals, free", 45, FaceRatio{0.1}, NormalDeviation{45}, Topology::free);
-    return all_hold_;
+    return are_all_met_;
   }
 
 private:
@@ -98,12 +98,12 @@ private:
     const Soup replayed = replay.surface();
     const Verdict verdict =
         verify(test::points_of(input_), input_.triangles, test::points_of(replayed),
-               replayed.triangles, {.normal_deviation = degrees, .images = replay.images()});
+               replayed.triangles, {.normal_deviation = degrees, .vertex_map = replay.images()});
     const double off = test::farthest(replayed, result, 1); // of roundings of the measure
     if (off > rounding())
       std::printf("%s: the surface of the record is off by %g\n", name_.c_str(), off);
     tell(promise, result, input_.triangles.size(), verdict.findings[0].measured, degrees,
-         verdict.is_held() && off <= rounding());
+         verdict.is_met() && off <= rounding());
   }
 
   void tell(const char* promise, const Soup& result, std::size_t points, double measured,
@@ -112,13 +112,13 @@ private:
                 name_.c_str(), promise, input_.triangles.size(), result.triangles.size(), points,
                 promised, measured, holds ? "" : ": BROKEN");
     std::fflush(stdout);
-    all_hold_ &= holds;
+    are_all_met_ &= holds;
   }
 
   std::string name_;
   const Soup& input_;
   const std::vector<double>* tolerances_ = nullptr;
-  bool all_hold_ = true;
+  bool are_all_met_ = true;
 };
 
 } // namespace

@@ -19,7 +19,7 @@ class Jobs(Folder):
         points, faces, _ = torus(80, 50)
         self.write_ply("in.ply", points, faces)
         self.scratch = self.path("scratch")
-        self.how = dict(faces=800, scratch=self.scratch, memory="200M", part_faces=2200)
+        self.how = dict(faces=800, scratch=self.scratch, memory="200M", chunk_faces=2200)
 
     def write_ply(self, name, points, faces):
         rows = np.empty(len(faces), [("count", "u1"), ("corners", "<i4", 3)])
@@ -43,7 +43,7 @@ class Jobs(Folder):
         self.assertEqual((result.report.faces_before, result.report.faces_after), (8000, 800))
         self.assertTrue(result.is_count_exact and result.report.is_target_reached)
         self.assertEqual((result.output, result.remarks), (self.path("once.ply"), []))
-        self.assertEqual((result.parts, result.faces_of_phases[-1]), (4, 800))
+        self.assertEqual((result.chunks, result.faces_of_phases[-1]), (4, 800))
         self.assertEqual(len(quadrille.read_mesh(self.path("once.ply")).faces), 800)
         self.assertFalse(os.path.exists(self.scratch))
         self.assertEqual((told[0].stage, told[0].estimate.faces, told[0].progress), ("survey", 8000, 0))
@@ -74,7 +74,7 @@ class Jobs(Folder):
             while parts > 0:
                 done.append(pool.map(job.simplify, range(parts)))
                 parts = job.close()
-        result = job.sew(self.path("out.ply"))
+        result = job.merge(self.path("out.ply"))
         self.assertEqual(done[0], [0, 1, 2, 3])
         self.assertEqual((result.phases, len(done)), (3, 3))
         self.assertEqual(self.content("out.ply"), self.content("once.ply"))
@@ -82,7 +82,7 @@ class Jobs(Folder):
 
     def test_limits_and_policies(self):
         for options in (dict(relative_error=0.005), dict(error=0.02, both_ways=True), dict(cost="memoryless_quadric"),
-                        dict(cost="edge_length", ratio=0.2), dict(topology="parts_may_vanish", lock_boundary=True)):
+                        dict(cost="edge_length", ratio=0.2), dict(topology="components_may_vanish", lock_boundary=True)):
             with self.subTest(options):
                 given = {"faces": None if "ratio" in options or "error" in str(options) else 800, **options}
                 result = self.at_once(**given)

@@ -157,19 +157,19 @@ class Results(Folder):
         report = result.report
         self.assertEqual((report.faces_before, report.counted_faces, report.doubled_faces),
                          (len(both), 2 * len(faces), 7))
-        is_back = result.input_faces >= len(faces)
-        self.assertEqual(2 * is_back.sum(), len(result.faces))
+        is_reverse = result.input_faces >= len(faces)
+        self.assertEqual(2 * is_reverse.sum(), len(result.faces))
         self.assertLess(abs(len(result.faces) - 0.5 * len(faces)), 4)
         around = lambda triangles: {tuple(np.roll(t, -t.argmin())) for t in triangles}
-        self.assertEqual(around(result.faces[~is_back]), around(result.faces[is_back][:, ::-1]))
-        self.assertTrue(is_back.any())
+        self.assertEqual(around(result.faces[~is_reverse]), around(result.faces[is_reverse][:, ::-1]))
+        self.assertTrue(is_reverse.any())
 
     def test_image_and_input_faces(self):
         points, faces, _ = sheet(12)
         result = quadrille.simplify(points, faces, faces=60, placement="endpoint")
-        self.assertEqual(result.image.shape, (144,))
-        self.assertEqual(set(result.image.tolist()) - {-1}, set(range(len(result.points))))
-        self.same(result.image[faces[result.input_faces]], result.faces.astype(np.int64))
+        self.assertEqual(result.vertex_map.shape, (144,))
+        self.assertEqual(set(result.vertex_map.tolist()) - {-1}, set(range(len(result.points))))
+        self.same(result.vertex_map[faces[result.input_faces]], result.faces.astype(np.int64))
 
     def test_fixed_by_mask_and_by_index(self):
         points, faces, _ = sheet(12)
@@ -254,11 +254,11 @@ class Results(Folder):
         self.assertTrue(cancelled.is_cancelled and not cancelled)
         self.assertRegex(repr(cancelled), "cancelled before everything was measured")
         self.assertTrue(quadrille.verify((points, faces), (small.points, small.faces), normal_deviation=degrees,
-                                         image=small.image))
+                                         image=small.vertex_map))
         refused = lambda message, **options: self.assertRaisesRegex(
             ValueError, message, quadrille.verify, (points, faces), (small.points, small.faces), **options)
         refused("^normal_deviation needs image", normal_deviation=60)
-        refused("^image has numbers from 0 to 9999", normal_deviation=60, image=np.append(small.image[1:].clip(0), 9999))
+        refused("^image has numbers from 0 to 9999", normal_deviation=60, image=np.append(small.vertex_map[1:].clip(0), 9999))
         refused("negative or not a number", distance=-1.0)
         refused(r"^tolerance has the shape \(2,\)", tolerance=[1, 2])
 
@@ -307,8 +307,8 @@ class Results(Folder):
         points, faces, _ = torus(12)
         apart = np.concatenate([points, points * 0.01 + 9]), np.concatenate([faces, faces + 144])
         kept = quadrille.simplify(*apart, faces=100)
-        parts = quadrille.simplify(*apart, faces=100, topology="parts_may_vanish")
-        self.assertEqual((kept.report.components_after, parts.report.vanished_parts), (2, 1))
+        parts = quadrille.simplify(*apart, faces=100, topology="components_may_vanish")
+        self.assertEqual((kept.report.components_after, parts.report.vanished_components), (2, 1))
         creases = quadrille.simplify(points, faces, faces=100, crease_degrees=20, crease_weight=50)
         self.assertFalse((creases.points == quadrille.simplify(points, faces, faces=100).points).all())
 
@@ -382,7 +382,7 @@ class Channels(unittest.TestCase):
         split_points, split_faces = points[pairs[:, 0]], split.reshape(-1, 3)
         result = quadrille.simplify(split_points, split_faces, faces=200, uv=values[pairs[:, 1]],
                                     split_vertices=True)
-        self.assertIsNone(result.image)
+        self.assertIsNone(result.vertex_map)
         self.assertEqual(len(result.uv), len(result.points))
         self.assertEqual(result.report.components_after, 1)
         welded = np.unique(result.points, axis=0)

@@ -98,7 +98,7 @@ class Filters(unittest.TestCase):
                 result = quadrille.simplify(
                     points, faces, faces=200, uv=channel,
                     filter=lambda c: not (is_selected[c.first] or is_selected[c.second]))
-            self.assertTrue((result.points[result.image[is_selected]] == points[is_selected]).all())
+            self.assertTrue((result.points[result.vertex_map[is_selected]] == points[is_selected]).all())
             self.assertLess(len(result.faces), 420)
 
     @unittest.skipUnless(quadrille._core.has_threads, "built without oneTBB")

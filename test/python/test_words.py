@@ -61,7 +61,7 @@ class Words(unittest.TestCase):
             "importance=": "qualityweight quality vertex_weights",
             "selected=": "selection face_mask_selected region",
             "to_like": "inplace copy",
-            "image": "return_collapses return_map mapping",
+            "vertex_map": "return_collapses return_map mapping",
             "labels=": "materials groups segments",
             "levels=": "lods history",
         }
@@ -132,17 +132,17 @@ class Messages(unittest.TestCase):
                 dict(share=0, order="relaxed"), dict(share=2, order="relaxed"), dict(pairs_closer_than=5),
                 dict(pairs_closer_than=-1), dict(no_self_intersection=True, order="relaxed"),
                 dict(keep_solid=True, topology="free"), dict(keep_solid=True, order="relaxed"),
-                dict(hull="outer", topology="free"), dict(hull="inner", topology="parts_may_vanish"),
+                dict(hull="outer", topology="free"), dict(hull="inner", topology="components_may_vanish"),
                 dict(keep_volume=True, order="relaxed"), dict(hull="outer", placement="optimal"),
                 dict(cost="memoryless_quadric", crease_degrees=30), dict(cost="edge_length", line_weight=1),
                 dict(cost="edge_length", placement="optimal"), dict(normal_flip=0), dict(normal_flip=200),
                 dict(normal_deviation=0), dict(boundary_weight=-1), dict(crease_degrees=-1), dict(crease_weight=-1),
-                dict(line_weight=-1), dict(normal_noise=-1), dict(position_noise=-1), dict(label_border_weight=-1,
+                dict(line_weight=-1), dict(normal_noise=-1), dict(position_noise=-1), dict(region_boundary_weight=-1,
                                                                                           labels=faces[:, 0]),
                 dict(cost="memoryless_quadric", boundary_weight=-1), dict(cost="thin_feature_quadric", boundary_weight=-1),
                 dict(tolerance=np.full(len(points), -1.0)), dict(importance=np.full(len(points), -1.0)),
                 dict(uv=channel(of_points, importance=0)), dict(uv=channel(of_points, weights=[1])),
-                dict(uv=channel(of_points, weights=[1, -1])), dict(uv=channel(of_points, border_weight=-1)),
+                dict(uv=channel(of_points, weights=[1, -1])), dict(uv=channel(of_points, chart_boundary_weight=-1)),
                 dict(uv=channel(of_points, new_values="existing")), dict(uv=channel(of_points, new_values="weights")),
                 dict(uv=channel(of_points, new_values="recomputed")), dict(uv=channel(of_points, linear_light=True)),
                 dict(uv=of_points, normals=channel(points, weights=[1])),
@@ -205,9 +205,9 @@ class MissedTargets(unittest.TestCase):
     def test_parts(self):
         told = self.warned(*tetrahedra(20), faces=10)
         self.assertIn("where faces=10 was asked for (all pairs rejected)", told)
-        self.assertIn("20 components are left, and each keeps some faces: topology='parts_may_vanish'", told)
-        self.assertEqual(self.warned(*tetrahedra(20), faces=10, topology="parts_may_vanish"), "")
-        told = self.warned(*tetrahedra(3), faces=4, topology="parts_may_vanish")  # large ones stay
+        self.assertIn("20 components are left, and each keeps some faces: topology='components_may_vanish'", told)
+        self.assertEqual(self.warned(*tetrahedra(20), faces=10, topology="components_may_vanish"), "")
+        told = self.warned(*tetrahedra(3), faces=4, topology="components_may_vanish")  # large ones stay
         self.assertIn("3 components are left, and each keeps some faces: pairs_closer_than= joins components", told)
 
     def test_what_else_is_in_the_way(self):

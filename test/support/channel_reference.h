@@ -93,7 +93,7 @@ public:
     CornerValues values;
     Value weights; ///< the length that a step of 1 in each component counts as
     bool is_kept_texture = false;
-    double border_weight = 10; ///< of the edges of charts
+    double chart_boundary_weight = 10; ///< of the edges of charts
   };
 
   ChannelReference(const Soup& soup, const std::vector<Channel>& channels,
@@ -297,7 +297,7 @@ private:
       const double length = std::hypot(u, v);
       if (!(length > 0))
         continue;
-      const double weight = channel.border_weight *
+      const double weight = channel.chart_boundary_weight *
                             squared_distance(position(edge[0]), position(edge[1])) *
                             channel.weights[0] * channel.weights[0];
       for (Vertex end : edge) {
@@ -343,7 +343,7 @@ private:
   }
 
   // Is a texture turned over along it?
-  bool is_fold(std::size_t c, const Edge& edge) const {
+  bool is_fold_over(std::size_t c, const Edge& edge) const {
     const std::vector<Vertex> sides = faces_of(edge);
     const auto area = [&](Vertex f) {
       return texture_area(c, f, [&](std::size_t w) { return wedges_[w].value; });
@@ -355,7 +355,7 @@ private:
     if (faces_of(edge).size() != 2)
       return true;
     for (std::size_t c = 0; c < corners_.size(); ++c)
-      if (is_seam(c, edge) || is_fold(c, edge))
+      if (is_seam(c, edge) || is_fold_over(c, edge))
         return true;
     return false;
   }

@@ -94,7 +94,7 @@ inline std::size_t random_face(RandomSolid& solid, const Soup& soup) {
 inline std::vector<std::string> broken_findings(const quadrille::Verdict& verdict) {
   std::vector<std::string> broken;
   for (const quadrille::Finding& finding : verdict.findings)
-    if (!finding.is_held)
+    if (!finding.is_met)
       broken.push_back(finding.claim);
   return broken;
 }

@@ -57,7 +57,7 @@ private:
     quadrille::Levels levels;
     constexpr std::array topologies{quadrille::Topology::kept, quadrille::Topology::kept,
                                     quadrille::Topology::free,
-                                    quadrille::Topology::parts_may_vanish};
+                                    quadrille::Topology::components_may_vanish};
     const quadrille::Topology topology = topologies[random_.below(4)];
     const std::size_t way = random_.below(sizeof...(Ways));
     std::size_t next = 0;
@@ -100,7 +100,7 @@ private:
     result.soup.triangles = level.triangles;
     result.report.distance_bound = level.distance_bound;
     result.report.hausdorff_bound = level.hausdorff_bound;
-    result.images = levels.images(level);
+    result.images = levels.vertex_map(level);
     result.input_faces = level.input_faces;
     return result;
   }

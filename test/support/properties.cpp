@@ -20,8 +20,8 @@ using namespace quadrille;
 
 /// The same for all triangles on the same vertices; or, if sides are told apart, for those of them
 /// that run the same way round.
-Triangle key_of(Triangle t, bool tells_sides) {
-  if (tells_sides)
+Triangle key_of(Triangle t, bool reports_sides) {
+  if (reports_sides)
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   else
     std::sort(t.begin(), t.end());
@@ -30,23 +30,23 @@ Triangle key_of(Triangle t, bool tells_sides) {
 
 } // namespace
 
-Soup cleaned(Soup soup, bool tells_sides) {
+Soup cleaned(Soup soup, bool reports_sides) {
   std::set<Triangle> seen;
   std::erase_if(soup.triangles, [&](const Triangle& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
-           !seen.insert(key_of(t, tells_sides)).second;
+           !seen.insert(key_of(t, reports_sides)).second;
   });
   return soup;
 }
 
-bool is_clean(const Soup& soup, bool may_have_backs) {
+bool is_clean(const Soup& soup, bool may_have_reverse_faces) {
   std::set<Triangle> seen;
   std::set<std::uint32_t> used;
   for (const Triangle& t : soup.triangles) {
     Triangle sorted = t;
     std::sort(sorted.begin(), sorted.end());
     if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || sorted[2] >= soup.points.size() ||
-        !seen.insert(may_have_backs ? key_of(t, true) : sorted).second)
+        !seen.insert(may_have_reverse_faces ? key_of(t, true) : sorted).second)
       return false;
     used.insert(t.begin(), t.end());
   }
@@ -122,7 +122,7 @@ std::multiset<std::array<std::ptrdiff_t, 2>> topologies_of_parts(const Soup& sou
   for (const auto& [root, part] : by_root) {
     const SoupTopology topology = topology_of(part);
     result.insert({static_cast<std::ptrdiff_t>(topology.euler()),
-                   static_cast<std::ptrdiff_t>(topology.border_loops)});
+                   static_cast<std::ptrdiff_t>(topology.boundary_loops)});
   }
   return result;
 }
@@ -280,7 +280,7 @@ std::string constraints(const Seen& seen) {
 std::string topology_of_parts(const Seen& seen) {
   const SoupTopology &before = seen.topology_before, &after = seen.topology_after();
   Complaint complaint;
-  complaint.require(after.components + seen.report().vanished_parts == before.components,
+  complaint.require(after.components + seen.report().vanished_components == before.components,
                     "the count of parts that vanished");
   complaint.require(before.components == 0 || after.components > 0, "nothing is left");
   if (!before.is_manifold)
@@ -295,10 +295,10 @@ std::string topology_of_parts(const Seen& seen) {
 }
 
 std::string topology(const Seen& seen) {
-  if (seen.asked.topology == Topology::parts_may_vanish)
+  if (seen.asked.topology == Topology::components_may_vanish)
     return topology_of_parts(seen);
   Complaint complaint;
-  complaint.require(seen.report().vanished_parts == 0 || seen.asked.topology == Topology::free,
+  complaint.require(seen.report().vanished_components == 0 || seen.asked.topology == Topology::free,
                     "parts vanished");
   if (seen.asked.topology != Topology::kept)
     return complaint.text();

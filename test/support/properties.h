@@ -99,11 +99,11 @@ std::string broken(const Asked& asked, const Result& result,
 
 /// The triangles without those that have two equal corners and without doubles; those on the same
 /// vertices that run the other way round are no doubles if sides are told apart.
-Soup cleaned(Soup soup, bool tells_sides);
+Soup cleaned(Soup soup, bool reports_sides);
 
 /// Neither degenerate nor duplicate faces, but for those with a back if there may be any; no point
 /// without a face, all finite.
-bool is_clean(const Soup& soup, bool may_have_backs = false);
+bool is_clean(const Soup& soup, bool may_have_reverse_faces = false);
 
 } // namespace test
 

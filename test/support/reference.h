@@ -36,7 +36,7 @@ public:
   /// The soup is manifold.
   explicit Reference(const Soup& soup, double boundary_weight = 100) : position_(soup.points) {
     state_.resize(position_.size());
-    reach_.resize(position_.size());
+    ring_radius_.resize(position_.size());
     for (Vertex v = 0; v < position_.size(); ++v)
       image_.push_back(v);
     for (Vertex f = 0; f < soup.triangles.size(); ++f)
@@ -47,7 +47,7 @@ public:
       if (count == 1)
         remember_line(edge, boundary_weight);
     for (Vertex v = 0; v < position_.size(); ++v)
-      reach_[v] = distance_to_farthest_neighbour(v);
+      ring_radius_[v] = distance_to_farthest_neighbour(v);
   }
   virtual ~Reference() = default;
 
@@ -65,7 +65,7 @@ public:
       else
         cause = turns_faces(next->edge, next->target) ? &flip_rejections : &texture_rejections;
       ++*cause;
-      refused_.insert(next->edge);
+      rejected_.insert(next->edge);
     }
     return std::nullopt;
   }
@@ -254,7 +254,7 @@ private:
       if (x)
         x = minimizer(edge, *x, 1e-9L, 0); // takes back what it has given for being near
     }
-    const double reach = std::max(reach_[edge[0]], reach_[edge[1]]);
+    const double reach = std::max(ring_radius_[edge[0]], ring_radius_[edge[1]]);
     if (x && std::min(squared_distance(*x, p), squared_distance(*x, q)) <= reach) {
       for (const Position& end : {p, q}) // not moved by rounding alone
         if (squared_distance(*x, end) <= reach * 0x1p-60)
@@ -272,7 +272,7 @@ private:
   std::optional<Candidate> cheapest() const {
     std::optional<Candidate> best;
     for (const auto& [edge, count] : edges()) {
-      if (refused_.contains(edge))
+      if (rejected_.contains(edge))
         continue;
       const Position target = best_position(edge);
       const Real value = cost(edge, target);
@@ -362,7 +362,7 @@ private:
 
   bool turns_faces(const Edge& edge, const Position& x) const {
     const auto [a, b] = edge;
-    return turns_a_face_over(a, b, x) || makes_needle(a, b, x) || makes_fold(a, b, x);
+    return turns_a_face_over(a, b, x) || makes_sliver(a, b, x) || makes_fold_over(a, b, x);
   }
 
   bool turns_a_face_over(Vertex a, Vertex b, const Position& target) const {
@@ -374,7 +374,7 @@ private:
 
   // Does a face become lower than 10⁻⁴ of about its length that was not, and is no part of a narrow
   // wall: is less than a quarter of its area left, or less than 0.01 of the least such height?
-  bool makes_needle(Vertex a, Vertex b, const Position& target) const {
+  bool makes_sliver(Vertex a, Vertex b, const Position& target) const {
     struct Needle {
       double area_left, height;
     };
@@ -412,7 +412,7 @@ private:
 
   // Does a face come to lie between a ridge and a valley of more than 90.45 degrees, as it did not
   // before? Looked for if a face turns by 20 degrees, where one looks away from the mean.
-  bool makes_fold(Vertex a, Vertex b, const Position& target) const {
+  bool makes_fold_over(Vertex a, Vertex b, const Position& target) const {
     const std::vector<Turn> changed = changed_faces(a, b, target);
     const double least_turn = std::acos(std::sqrt(0.883)) * degrees;
     Position mean{};
@@ -422,11 +422,11 @@ private:
                changed.begin(), changed.end(),
                [&](const Turn& f) { return degrees_between(f.before, f.after) > least_turn; }) &&
            std::any_of(changed.begin(), changed.end(), [&](const Turn& f) {
-             return !(degrees_between(f.after, mean) < 60) && is_new_fold(f, a, b, target);
+             return !(degrees_between(f.after, mean) < 60) && is_new_fold_over(f, a, b, target);
            });
   }
 
-  bool is_new_fold(const Turn& f, Vertex a, Vertex b, const Position& target) const {
+  bool is_new_fold_over(const Turn& f, Vertex a, Vertex b, const Position& target) const {
     const auto is_end = [&](Vertex v) { return v == a || v == b; };
     const auto is_same = [&](Vertex v, Vertex w) { return v == w || (is_end(v) && is_end(w)); };
     std::array<bool, 2> before{}, after{}; // over a ridge, over a valley
@@ -461,10 +461,10 @@ private:
     std::erase_if(faces_, [&](const auto& face) { return has(face, kept) && has(face, gone); });
     for (auto& [f, t] : faces_)
       std::replace(t.begin(), t.end(), gone, kept);
-    reach_[kept] = distance_to_farthest_neighbour(kept);
+    ring_radius_[kept] = distance_to_farthest_neighbour(kept);
     std::set<Vertex> changed = neighbours(kept);
     changed.insert({kept, gone});
-    std::erase_if(refused_, [&](const Edge& edge) {
+    std::erase_if(rejected_, [&](const Edge& edge) {
       return changed.contains(edge[0]) || changed.contains(edge[1]);
     });
     return {kept, gone, target};
@@ -472,10 +472,10 @@ private:
 
   std::vector<Position> position_;
   std::vector<State> state_;
-  std::vector<float> reach_; // squared
+  std::vector<float> ring_radius_; // squared
   std::vector<Vertex> image_;
   std::map<Vertex, Triangle> faces_;
-  std::set<Edge> refused_;
+  std::set<Edge> rejected_;
 };
 
 } // namespace test

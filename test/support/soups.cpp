@@ -271,18 +271,18 @@ SoupTopology topology_of(const Soup& soup) {
     result.is_manifold &= detail::is_path_or_cycle(link);
   }
   detail::Partition loops(soup.points.size());
-  std::set<std::uint32_t> on_border;
+  std::set<std::uint32_t> on_boundary;
   for (const auto& [edge, sides] : edges) {
     result.is_manifold &= sides.size() <= 2;
     result.is_oriented &= sides.size() != 2 || sides[0] != sides[1];
     if (sides.size() != 1)
       continue;
-    ++result.border_edges;
+    ++result.boundary_edges;
     loops.merge(edge[0], edge[1]);
-    on_border.insert(edge.begin(), edge.end());
+    on_boundary.insert(edge.begin(), edge.end());
   }
-  for (std::uint32_t v : on_border)
-    result.border_loops += loops.root(v) == v;
+  for (std::uint32_t v : on_boundary)
+    result.boundary_loops += loops.root(v) == v;
   return result;
 }
 
@@ -335,7 +335,7 @@ double diagonal(const Soup& soup) {
   return std::sqrt(squared_distance(low, high));
 }
 
-std::size_t count_folds(const Soup& soup, double degrees) {
+std::size_t count_fold_overs(const Soup& soup, double degrees) {
   std::map<std::array<std::uint32_t, 2>, std::vector<Position>> normals;
   for (const Triangle& t : soup.triangles) {
     const Position a = area_vector(soup, t);
@@ -396,7 +396,7 @@ Soup with_holes(Soup soup, std::uint64_t seed, int count) {
   return without_isolated_points(soup);
 }
 
-Soup random_with_borders(std::uint64_t seed) {
+Soup random_with_boundaries(std::uint64_t seed) {
   if (seed % 2 == 0)
     return with_holes(random_closed(seed), seed, 25);
   return with_holes(with_noise(with_flipped_edges(grid(9, 8), seed, 30), seed, 0.03), seed, 12);

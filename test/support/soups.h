@@ -168,14 +168,14 @@ struct SoupTopology {
   std::size_t edges = 0;
   std::size_t faces = 0;
   std::size_t components = 0;   ///< parts that no vertex connects
-  std::size_t border_edges = 0; ///< edges of one face
-  std::size_t border_loops = 0; ///< if it is manifold
+  std::size_t boundary_edges = 0; ///< edges of one face
+  std::size_t boundary_loops = 0; ///< if it is manifold
   bool is_manifold = true;      ///< at most two faces an edge, a path or a cycle round each vertex
   bool is_oriented = true;      ///< faces at an edge run along it in opposite directions
   bool has_duplicate_faces = false;
   bool has_collapsed_faces = false; ///< with two equal corners
 
-  bool is_closed() const { return border_edges == 0; }
+  bool is_closed() const { return boundary_edges == 0; }
   long euler() const { return long(vertices) - long(edges) + long(faces); }
   /// Of a closed surface: the sum over its components.
   long genus() const { return long(components) - euler() / 2; }
@@ -183,13 +183,13 @@ struct SoupTopology {
   /// The same surface up to deformation, as far as numbers tell?
   friend bool is_same_topology(const SoupTopology& a, const SoupTopology& b) {
     return a.euler() == b.euler() && a.components == b.components &&
-           a.border_loops == b.border_loops && a.is_manifold == b.is_manifold &&
+           a.boundary_loops == b.boundary_loops && a.is_manifold == b.is_manifold &&
            a.is_oriented == b.is_oriented;
   }
   friend std::ostream& operator<<(std::ostream& out, const SoupTopology& t) {
     return out << t.vertices << " vertices, " << t.edges << " edges, " << t.faces << " faces, "
-               << t.components << " components, " << t.border_edges << " border edges in "
-               << t.border_loops << " loops" << (t.is_manifold ? "" : ", not manifold")
+               << t.components << " components, " << t.boundary_edges << " border edges in "
+               << t.boundary_loops << " loops" << (t.is_manifold ? "" : ", not manifold")
                << (t.is_oriented ? "" : ", not oriented")
                << (t.has_duplicate_faces ? ", duplicate faces" : "")
                << (t.has_collapsed_faces ? ", collapsed faces" : "");
@@ -237,7 +237,7 @@ double diagonal(const Soup& soup);
 
 /// Edges along which the surface is folded back on itself: the normals of their two faces are
 /// opposed to within `degrees`.
-std::size_t count_folds(const Soup& soup, double degrees = 15);
+std::size_t count_fold_overs(const Soup& soup, double degrees = 15);
 
 // --- Random surfaces -----------------------------------------------------------------------------
 
@@ -253,7 +253,7 @@ Soup random_closed(std::uint64_t seed);
 Soup with_holes(Soup soup, std::uint64_t seed, int count);
 
 /// A manifold surface with borders.
-Soup random_with_borders(std::uint64_t seed);
+Soup random_with_boundaries(std::uint64_t seed);
 
 } // namespace test
 

@@ -167,8 +167,8 @@ inline CornerValues<3> facet_normals(const Soup& soup) {
 /// Of n columns in a circle, the place of column i in a triangle of these columns: n where the
 /// triangle reaches it from behind.
 inline double unrolled(std::uint32_t i, std::uint32_t n, const Triangle& columns) {
-  const bool is_behind = std::count(columns.begin(), columns.end(), n - 1) > 0;
-  return i == 0 && is_behind ? n : i;
+  const bool is_outside = std::count(columns.begin(), columns.end(), n - 1) > 0;
+  return i == 0 && is_outside ? n : i;
 }
 
 // --- Models --------------------------------------------------------------------------------------

@@ -35,22 +35,22 @@ struct Files {
     folder.file("out.ply", test::ply_of<double>(result));
   }
 
-  OutOfCore in_parts(std::uint64_t faces) const {
+  OutOfCore in_chunks(std::uint64_t faces) const {
     OutOfCore options;
     options.scratch = folder.path("scratch");
-    options.part_faces = faces;
+    options.chunk_faces = faces;
     return options;
   }
-  SurfaceDistance distance(std::uint64_t part_faces, const DistanceSampling& sampling = {}) const {
-    return file_distance(folder.path("in.ply"), folder.path("out.ply"), in_parts(part_faces),
+  SurfaceDistance distance(std::uint64_t chunk_faces, const DistanceSampling& sampling = {}) const {
+    return file_distance(folder.path("in.ply"), folder.path("out.ply"), in_chunks(chunk_faces),
                          sampling);
   }
   SurfaceDistance distance_in_memory(const DistanceSampling& sampling = {}) const {
     return surface_distance(in.points, in.triangles, out.points, out.triangles, sampling);
   }
-  Verdict verdict(const Claims& claims, std::uint64_t part_faces) const {
+  Verdict verdict(const Claims& claims, std::uint64_t chunk_faces) const {
     return verify_files(folder.path("in.ply"), folder.path("out.ply"), claims,
-                        in_parts(part_faces));
+                        in_chunks(chunk_faces));
   }
   Verdict verdict_in_memory(const Claims& claims) const {
     return verify(in.points, in.triangles, out.points, out.triangles, claims);
@@ -68,7 +68,7 @@ void require_alike(const Verdict& a, const Verdict& b) {
     CHECK(a.findings[i].promised == b.findings[i].promised);
     CHECK(a.findings[i].error == Approx(b.findings[i].error).epsilon(1e-9));
     CHECK(std::abs(a.findings[i].measured - b.findings[i].measured) <= a.findings[i].error);
-    CHECK(a.findings[i].is_held == b.findings[i].is_held);
+    CHECK(a.findings[i].is_met == b.findings[i].is_met);
   }
 }
 
@@ -78,12 +78,12 @@ TEST_CASE("file distance: vertices are as far as in memory, samples about as far
   const Files files(input_surface(), result_surface());
   const SurfaceDistance vertices = files.distance_in_memory({0, 0});
   const SurfaceDistance samples = files.distance_in_memory({20'000, 0});
-  for (const std::uint64_t part_faces : {100'000U, 2000U, 500U}) {
-    INFO(part_faces << " faces a part");
-    const SurfaceDistance by_vertices = files.distance(part_faces, {0, 0});
+  for (const std::uint64_t chunk_faces : {100'000U, 2000U, 500U}) {
+    INFO(chunk_faces << " faces a part");
+    const SurfaceDistance by_vertices = files.distance(chunk_faces, {0, 0});
     CHECK(by_vertices.hausdorff_a_to_b == Approx(vertices.hausdorff_a_to_b).epsilon(1e-9));
     CHECK(by_vertices.hausdorff_b_to_a == Approx(vertices.hausdorff_b_to_a).epsilon(1e-9));
-    const SurfaceDistance by_samples = files.distance(part_faces, {20'000, 0});
+    const SurfaceDistance by_samples = files.distance(chunk_faces, {20'000, 0});
     CHECK(by_samples.rms_a_to_b == Approx(samples.rms_a_to_b).epsilon(0.02));
     CHECK(by_samples.rms_b_to_a == Approx(samples.rms_b_to_a).epsilon(0.02));
     CHECK(by_samples.rms == Approx(samples.rms).epsilon(0.02));
@@ -141,7 +141,7 @@ TEST_CASE("file distance: claims are held or broken as in memory") {
 TEST_CASE("file distance: tolerances are held or broken as in memory") {
   const Files files(input_surface(), result_surface());
   const double apart = files.distance_in_memory().hausdorff;
-  OutOfCore how = files.in_parts(600);
+  OutOfCore how = files.in_chunks(600);
   how.tolerance = "allowed";
   for (const double least : {0.0, 1.2 * apart}) {
     INFO(least << " promised, and more elsewhere");
@@ -153,7 +153,7 @@ TEST_CASE("file distance: tolerances are held or broken as in memory") {
         verify_files(files.folder.path("in.ply"), files.folder.path("out.ply"), {}, how);
     require_alike(verdict, files.verdict_in_memory(claims));
     CHECK(verdict.findings.size() == 2);
-    CHECK(verdict.is_held() == (least > apart));
+    CHECK(verdict.is_met() == (least > apart));
   }
   CHECK_FALSE(std::filesystem::exists(files.folder.path("scratch")));
 }
@@ -173,7 +173,7 @@ TEST_CASE("file distance: soups are welded, and files of other kinds are measure
   const Claims claims{.distance_both_ways = 0.2};
   files.folder.file("in.stl", test::stl_of(files.in));
   const Verdict verdict = verify_files(files.folder.path("in.stl"), files.folder.path("out.ply"),
-                                       claims, files.in_parts(2000));
+                                       claims, files.in_chunks(2000));
   require_alike(verdict, files.verdict_in_memory(claims));
   CHECK_FALSE(std::filesystem::exists(files.folder.path("scratch")));
 }
@@ -182,7 +182,7 @@ TEST_CASE("file distance: what can't be looked at is refused, and nothing is lef
   const Files files(input_surface(), result_surface());
   CHECK_THROWS_AS(files.verdict({.solid = true}, 600), std::invalid_argument);
   CHECK_THROWS_AS(files.verdict({.distance = -1}, 600), std::invalid_argument);
-  OutOfCore options = files.in_parts(600);
+  OutOfCore options = files.in_chunks(600);
   options.proceed = [](const FileStatus& status) { return status.progress < 0.3; };
   CHECK_THROWS_AS(file_distance(files.folder.path("in.ply"), files.folder.path("out.ply"), options),
                   internal::JobCancelled);

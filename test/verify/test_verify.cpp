@@ -114,7 +114,7 @@ TEST_CASE("verify: what a simplification promises is held") {
 TEST_CASE("verify: nothing claimed is nothing found") {
   const Verdict verdict = verify_soups(test::tetrahedron(), test::octahedron(), {});
   CHECK(verdict.findings.empty());
-  CHECK(verdict.is_held());
+  CHECK(verdict.is_met());
 }
 
 TEST_CASE("verify: a moved vertex breaks a distance, and only what looks that way") {
@@ -127,7 +127,7 @@ TEST_CASE("verify: a moved vertex breaks a distance, and only what looks that wa
   const Verdict broken = distances(input, bump, 0.2);
   CHECK_FALSE(broken);
   const Finding& there = finding(broken, "distance of the result from the input");
-  CHECK_FALSE(there.is_held);
+  CHECK_FALSE(there.is_met);
   CHECK(std::abs(there.measured - 0.25) <= there.error);
   std::ostringstream text;
   text << broken;
@@ -136,8 +136,8 @@ TEST_CASE("verify: a moved vertex breaks a distance, and only what looks that wa
   Soup part = input; // the result has lost a part: all that is left lies on the input
   std::erase_if(part.triangles, [&](const Triangle& t) { return input.points[t[0]][0] > 0.49; });
   const Verdict lost = distances(input, part, 0.2);
-  CHECK(finding(lost, "distance of the result from the input").is_held);
-  CHECK_FALSE(finding(lost, "distance of the input from the result").is_held);
+  CHECK(finding(lost, "distance of the result from the input").is_met);
+  CHECK_FALSE(finding(lost, "distance of the input from the result").is_met);
   CHECK(verify_soups(input, part, {.distance = 0.2}));
 }
 
@@ -169,9 +169,9 @@ TEST_CASE("verify: tolerances and normals of a simplification are kept, and not 
   CHECK(verdict.findings[2].measured > *report.normal_bound_degrees / 2);
   const Verdict less = verified(0.1, verdict.findings[2].measured / 1.01);
   INFO(less);
-  CHECK_FALSE(less.findings[0].is_held);
-  CHECK_FALSE(less.findings[1].is_held);
-  CHECK_FALSE(less.findings[2].is_held);
+  CHECK_FALSE(less.findings[0].is_met);
+  CHECK_FALSE(less.findings[1].is_met);
+  CHECK_FALSE(less.findings[2].is_met);
 }
 
 TEST_CASE("verify: a tolerance is that of an input face, one way and the other") {
@@ -184,13 +184,13 @@ TEST_CASE("verify: a tolerance is that of an input face, one way and the other")
   claims.tolerances[40] = 0.05; // the next faces allow the bump, but their points do not need it
   const Verdict verdict = verify_soups(input, bump, claims);
   REQUIRE(verdict.findings.size() == 2);
-  CHECK_FALSE(verdict.findings[0].is_held);
+  CHECK_FALSE(verdict.findings[0].is_met);
   CHECK(verdict.findings[0].measured > 0.01);
-  CHECK(verdict.findings[1].is_held);
+  CHECK(verdict.findings[1].is_met);
   CHECK(verdict.findings[1].measured == 0);
   claims.tolerances.assign(input.points.size(), 0.09);
   claims.tolerances[0] = std::numeric_limits<double>::infinity();
-  CHECK_FALSE(verify_soups(input, bump, claims).findings[1].is_held);
+  CHECK_FALSE(verify_soups(input, bump, claims).findings[1].is_met);
   CHECK(std::abs(verify_soups(input, bump, claims).findings[1].measured - 0.01) < 1e-9);
   // What is flat needs no tolerance, however it is cut into faces.
   claims.tolerances.assign(input.points.size(), 0);
@@ -236,7 +236,7 @@ TEST_CASE("verify: a face beside others is nearest for the tolerance that it has
   });
   Claims claims{.tolerances = std::vector<double>(25, 0.71)};
   claims.tolerances.resize(50, 0.2);
-  CHECK(verify_soups(input, between, claims).findings[1].is_held);
+  CHECK(verify_soups(input, between, claims).findings[1].is_met);
   CHECK(std::abs(verify_soups(input, between, claims).findings[0].measured - 0.1) < 1e-9);
   std::fill_n(claims.tolerances.begin(), 25, 0.65);
   CHECK(std::abs(verify_soups(input, between, claims).findings[1].measured - 0.05) < 1e-9);
@@ -248,7 +248,7 @@ TEST_CASE("verify: normals are compared with those of faces that are gone") {
   roof.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
   Soup slope = roof; // the strip has gone onto the upper edge of the slope
   slope.triangles.resize(2);
-  Claims claims{.normal_deviation = 44, .images = {0, 1, 2, 3, 2, 3}};
+  Claims claims{.normal_deviation = 44, .vertex_map = {0, 1, 2, 3, 2, 3}};
   const Verdict verdict = verify_soups(roof, slope, claims);
   REQUIRE(verdict.findings.size() == 2);
   CHECK(std::abs(verdict.findings[0].measured - 45) < 1e-9);
@@ -257,14 +257,15 @@ TEST_CASE("verify: normals are compared with those of faces that are gone") {
   CHECK_FALSE(verdict.findings[1].place);
   claims.normal_deviation = 45;
   CHECK(verify_soups(roof, slope, claims));
-  claims.images = {0, 1, 2, 3, 2, 2}; // one of its faces onto the edge, the other to a point of it
+  claims.vertex_map = {0, 1, 2,
+                       3, 2, 2}; // one of its faces onto the edge, the other to a point of it
   CHECK(std::abs(verify_soups(roof, slope, claims).findings[0].measured - 45) < 1e-9);
-  claims.images = {0, 1, 2, 3, parameters::vanished, parameters::vanished};
+  claims.vertex_map = {0, 1, 2, 3, parameters::vanished, parameters::vanished};
   CHECK(verify_soups(roof, slope, claims).findings[0].measured < 1e-9);
-  claims.images[0] = 1; // no map of these faces
+  claims.vertex_map[0] = 1; // no map of these faces
   CHECK(verify_soups(roof, slope, claims).findings[1].measured == 1);
   CHECK(verify_soups(roof, slope, claims).findings[1].place == slope.points[0]);
-  claims.images[0] = 0;
+  claims.vertex_map[0] = 0;
   std::swap(slope.triangles[0][0], slope.triangles[0][1]); // a face that is turned over
   CHECK(std::abs(verify_soups(roof, slope, claims).findings[0].measured - 180) < 1e-9);
 
@@ -272,9 +273,9 @@ TEST_CASE("verify: normals are compared with those of faces that are gone") {
   const Soup sheet = test::grid(6, 5);
   Soup bent = sheet;
   bent.points[17][2] += 2;
-  Claims as_before{.normal_deviation = 30, .images = {}};
+  Claims as_before{.normal_deviation = 30, .vertex_map = {}};
   for (std::size_t v = 0; v < sheet.points.size(); ++v)
-    as_before.images.push_back(v);
+    as_before.vertex_map.push_back(v);
   const Finding broken = verify_soups(sheet, bent, as_before).findings[0];
   REQUIRE(broken.place);
   CHECK(squared_distance(*broken.place, sheet.points[17]) < 2 * 2 + 0.2);
@@ -315,13 +316,13 @@ TEST_CASE("verify: what is no solid is found") {
   CHECK(finding(verify_soups(sphere, open, solid), "open edges").measured == 3);
 
   const Verdict not_turned = verify_soups(shell, test::joined(sphere, scaled(sphere, 0.5)), solid);
-  CHECK_FALSE(finding(not_turned, "components turned inside out, or without volume").is_held);
+  CHECK_FALSE(finding(not_turned, "components turned inside out, or without volume").is_met);
   const Verdict beside =
       verify_soups(shell, test::joined(sphere, scaled(shell, 0.5), {{3, 0, 0}}), solid);
-  CHECK_FALSE(finding(beside, "components").is_held);
-  CHECK_FALSE(finding(verify_soups(shell, sphere, solid), "components").is_held);
+  CHECK_FALSE(finding(beside, "components").is_met);
+  CHECK_FALSE(finding(verify_soups(shell, sphere, solid), "components").is_met);
   const Verdict ring = verify_soups(sphere, test::torus(12, 8), solid);
-  CHECK_FALSE(finding(ring, "components with a different number of handles").is_held);
+  CHECK_FALSE(finding(ring, "components with a different number of handles").is_met);
   CHECK_THROWS_AS(verify_soups(open, sphere, solid), std::invalid_argument);
 }
 
@@ -359,7 +360,7 @@ TEST_CASE("verify: what encloses nothing is no solid, and a surface that is gone
   for (const Soup& flat :
        {pressed(1, 1, 0), test::tilted(pressed(1, 1, 0)), pressed(1, 0, 0), pressed(0, 0, 0)}) {
     const Verdict verdict = verify_soups(sphere, flat, solid);
-    CHECK_FALSE(finding(verdict, "components turned inside out, or without volume").is_held);
+    CHECK_FALSE(finding(verdict, "components turned inside out, or without volume").is_met);
   }
   const Soup pillow{{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{0, 1, 2}, {1, 0, 2}}};
   CHECK_FALSE(verify_soups(sphere, pillow, solid));
@@ -441,7 +442,7 @@ TEST_CASE("verify: solids that touch along an edge or at a point are solids") {
   CHECK(verify_soups(point, point, solid));
   const Soup tunnel =
       test::turned_over(edge); // all but the two cubes, of which the tunnel is one component
-  CHECK(finding(verify_soups(tunnel, tunnel, solid), "open edges").is_held);
+  CHECK(finding(verify_soups(tunnel, tunnel, solid), "open edges").is_met);
 }
 
 TEST_CASE("verify: meshes of other kinds, and what is refused") {

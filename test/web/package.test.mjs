@@ -41,8 +41,8 @@ test("arrays come back in the types in which they went in, and are not changed",
   assert.deepEqual(result.attributes.heat.values, Uint8Array.from(inReals.attributes.heat.values, (x) => Math.min(Math.max(Math.round(x), 0), 255)));
   assert.equal(result.attributes.heat.values.length, result.positions.length / 3);
   assert.deepEqual(result.labels, Int16Array.from(result.inputFaces, (face) => labels[face]));
-  assert.equal(result.image.length, 900);
-  assert.ok(result.image.every((point) => point >= -1 && point < result.positions.length / 3));
+  assert.equal(result.vertexMap.length, 900);
+  assert.ok(result.vertexMap.every((point) => point >= -1 && point < result.positions.length / 3));
 });
 
 test("points at one place are one, and there are no images of them then", () => {
@@ -52,7 +52,7 @@ test("points at one place are one, and there are no images of them then", () => 
   indices.forEach((point, corner) => split.set(positions.subarray(3 * point, 3 * point + 3), 3 * corner));
   const result = quadrille.simplify({ positions: split, indices: Uint32Array.from(indices.keys()) }, { faces: 100, splitVertices: true });
   assert.equal(result.report.facesAfter, 100);
-  assert.equal(result.image, undefined);
+  assert.equal(result.vertexMap, undefined);
 });
 
 test("the report tells what was done", () => {

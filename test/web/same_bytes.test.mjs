@@ -33,7 +33,7 @@ const cases = [
   ["thin features", model("dino.off"), { options: { ratio: 0.1, cost: "thin_feature_quadric", placement: "endpoint" } }],
   ["passes", model("elephant.off"), { options: { ratio: 0.1, order: "relaxed", refresh: true } }],
   ["pairs", model("elephant.off"), { options: { faces: 200, pairsCloserThan: 0.02 } }],
-  ["parts that vanish", model("elephant.off"), { options: { faces: 50, topology: "parts_may_vanish" } }],
+  ["parts that vanish", model("elephant.off"), { options: { faces: 50, topology: "components_may_vanish" } }],
   ["no self-intersection", model("cow.off"), { options: { faces: 600, noSelfIntersection: true } }],
   ["normals that stay", model("elephant.off"), { options: { faces: 600, normalDeviation: 60 } }],
   ["fixed and selected", model("cow.off"), { options: { ratio: 0.5 }, fixed: 7, selected: 2 }],

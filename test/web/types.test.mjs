@@ -24,7 +24,7 @@ const uv = { kind: "texture", values: new Float64Array(6), seams: "kept" } as co
 const result = quadrille.simplify({ positions, indices, attributes: { uv } }, { ...options, levels });
 const same: Float32Array = result.positions, triangles: Uint16Array = result.indices, texture: Float64Array = result.attributes.uv.values;
 const level: Level = levels.at({ faces: 3 });
-console.log(same, triangles, texture, level.error, result.report.rejections["topology"], result.image?.[0]);
+console.log(same, triangles, texture, level.error, result.report.rejections["topology"], result.vertexMap?.[0]);
 // @ts-expect-error there is no such option
 quadrille.simplify({ positions, indices }, { face: 3 });
 // @ts-expect-error there is no such cost

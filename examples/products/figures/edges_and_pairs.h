@@ -71,7 +71,7 @@ private:
     using namespace quadrille;
     Result result{original, {}, {}};
     auto& [points, triangles] = result.soup;
-    const NormalFlip as_in_the_paper(90, Folds::allowed);
+    const NormalFlip as_in_the_paper(90, FoldOvers::allowed);
     result.report =
         simplify(points, triangles, cost, FaceCount{faces}, pairs, Topology::free, as_in_the_paper);
     result.error = surface_distance(original.points, original.triangles, points, triangles);

@@ -59,7 +59,7 @@ private:
   void compare(const std::string& model, const Mesh& mesh, std::size_t faces) {
     using namespace quadrille;
     Mesh by_length = mesh, by_quadric = mesh;
-    const NormalFlip as_in_the_paper(90, Folds::allowed);
+    const NormalFlip as_in_the_paper(90, FoldOvers::allowed);
     simplify<EdgeLength, MidpointPlacement>(by_length, FaceCount{faces}, as_in_the_paper);
     simplify<Quadric, OptimalPlacement>(by_quadric, FaceCount{faces}, as_in_the_paper);
     by_length.collect_garbage();

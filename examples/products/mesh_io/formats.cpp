@@ -62,17 +62,17 @@ void lose_numbers(IndexedMesh& mesh, bool holds_stl_colors) {
     mesh.losses.add("comment " + in_quotes(comment, 100));
   for (const NamedNumbers& numbers : mesh.vertex_numbers)
     mesh.losses.add("vertex property " + in_quotes(numbers.name));
-  const auto is_held = [&](const NamedNumbers& numbers) {
+  const auto is_met = [&](const NamedNumbers& numbers) {
     return holds_stl_colors && numbers.name == stl_color_name;
   };
   for (const NamedNumbers& numbers : mesh.face_numbers)
-    if (numbers.name == stl_color_name && !is_held(numbers))
+    if (numbers.name == stl_color_name && !is_met(numbers))
       mesh.losses.add("colours of facets");
-    else if (!is_held(numbers))
+    else if (!is_met(numbers))
       mesh.losses.add("face property " + in_quotes(numbers.name));
   mesh.texture_comments.clear();
   mesh.vertex_numbers.clear();
-  std::erase_if(mesh.face_numbers, std::not_fn(is_held));
+  std::erase_if(mesh.face_numbers, std::not_fn(is_met));
 }
 
 } // namespace

@@ -72,7 +72,7 @@ struct Track {
   void begin_after(std::size_t contractions, std::size_t faces) {
     if (contractions == 0)
       return;
-    const std::vector<std::uint32_t> images = images_after(contractions);
+    const std::vector<std::uint32_t> images = vertex_map_after(contractions);
     corners.resize(faces);
     for (auto& face : corners)
       for (std::uint32_t& item : face)
@@ -89,7 +89,7 @@ struct Track {
   }
 
   /// What each item has become after so many contractions.
-  std::vector<std::uint32_t> images_after(std::size_t contractions) const {
+  std::vector<std::uint32_t> vertex_map_after(std::size_t contractions) const {
     std::vector<std::uint32_t> images(items());
     for (std::size_t i = 0; i < items(); ++i)
       images[i] = ends[i] > contractions ? static_cast<std::uint32_t>(i)

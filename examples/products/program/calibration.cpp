@@ -15,7 +15,7 @@ namespace {
 
 struct Coarse {
   IndexedMesh mesh;
-  std::vector<std::size_t> image;
+  std::vector<std::size_t> vertex_map;
   quadrille::Report report;
   double factor;
 };
@@ -40,15 +40,17 @@ Coarse coarsest(const IndexedMesh& mesh, const Options& options, Run run) {
 } // namespace
 
 quadrille::Report simplify_calibrated(IndexedMesh& mesh, const Options& options,
-                                      std::vector<std::size_t>* image, const Simplify& simplify) {
+                                      std::vector<std::size_t>* vertex_map,
+                                      const Simplify& simplify) {
   Coarse best = coarsest(mesh, options, [&](double factor) {
     Coarse next{mesh, {}, {}, factor};
-    next.report = simplify(next.mesh, times(options, factor), image ? &next.image : nullptr);
+    next.report =
+        simplify(next.mesh, times(options, factor), vertex_map ? &next.vertex_map : nullptr);
     return next;
   });
   mesh = std::move(best.mesh);
-  if (image)
-    *image = std::move(best.image);
+  if (vertex_map)
+    *vertex_map = std::move(best.vertex_map);
   return best.report;
 }
 

@@ -18,11 +18,12 @@ namespace quadrille_examples {
 
 /// What simplifies a mesh as options say, and tells what became of each point, if that is asked.
 using Simplify = std::function<quadrille::Report(IndexedMesh& mesh, const Options& options,
-                                                 std::vector<std::size_t>* image)>;
+                                                 std::vector<std::size_t>* vertex_map)>;
 
 /// Simplifies with multiples of --error, and leaves the coarsest that is proved to be within it.
 quadrille::Report simplify_calibrated(IndexedMesh& mesh, const Options& options,
-                                      std::vector<std::size_t>* image, const Simplify& simplify);
+                                      std::vector<std::size_t>* vertex_map,
+                                      const Simplify& simplify);
 
 /// The options that leave the coarsest, and its distance both ways as it is proved; none where the
 /// limit itself does.

@@ -155,44 +155,44 @@ inline void add_records(CLI::App& app, Options& options) {
       options.output = std::exchange(options.input, options.from);
     if (options.output.empty() && options.folder.empty())
       throw CLI::RequiredError("OUT");
-    require_by_parts(app, options);
+    require_by_chunks(app, options);
   });
 }
 
 /// What does not go together, whatever the file.
 inline void require_consistency(const Options& options) {
-  const auto refuse_if = [](bool is_wrong, const std::string& message) {
+  const auto reject_if = [](bool is_wrong, const std::string& message) {
     if (is_wrong)
       throw std::runtime_error(message);
   };
-  refuse_if(options.cost == "length" && options.placement == "optimal",
+  reject_if(options.cost == "length" && options.placement == "optimal",
             "--placement optimal does not go with --cost length");
-  refuse_if(options.drops_parts && (options.topology == "free" || options.joins_pairs()),
+  reject_if(options.drops_components && (options.topology == "free" || options.joins_pairs()),
             "--drop-parts does not go with --topology free or --pairs: it keeps the rest of the "
             "topology");
-  refuse_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
+  reject_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
                                        options.cost == "thin-features"),
             "--crease goes with --cost quadric, color and texture only");
-  refuse_if(options.has_lines_or_noise() && !options.cost.empty() && options.cost != "quadric",
+  reject_if(options.has_lines_or_noise() && !options.cost.empty() && options.cost != "quadric",
             "--lines, --normal-noise, --noise and --squared-areas go with --cost quadric only");
-  refuse_if(options.forbids_intersections && options.is_relaxed,
+  reject_if(options.forbids_intersections && options.is_relaxed,
             "--no-self-intersection does not go with --order relaxed: the blocks of a pass do not "
             "see each other");
-  refuse_if(options.keeps_solid && options.is_relaxed,
+  reject_if(options.keeps_solid && options.is_relaxed,
             "--solid does not go with --order relaxed: the blocks of a pass do not see each other");
-  refuse_if(options.keeps_solid && topology(options) != quadrille::Topology::kept,
+  reject_if(options.keeps_solid && topology(options) != quadrille::Topology::kept,
             "--solid keeps the topology: it does not go with --topology free, --pairs or "
             "--drop-parts");
-  refuse_if(options.target.is_calibrated && !options.record.empty(),
+  reject_if(options.target.is_calibrated && !options.record.empty(),
             "--calibrated does not go with --record: it needs several runs");
-  refuse_if(options.verifies && !options.promises(),
+  reject_if(options.verifies && !options.promises(),
             "--verify needs a promise to check: --error, --tolerance, --no-self-intersection, "
             "--solid or --normals");
-  refuse_if(options.threads > 0 && !options.is_relaxed && options.scratch.empty(),
+  reject_if(options.threads > 0 && !options.is_relaxed && options.scratch.empty(),
             "--threads needs --order relaxed or --out-of-core");
-  refuse_if(!options.scratch.empty() && (options.cost == "color" || options.cost == "texture"),
+  reject_if(!options.scratch.empty() && (options.cost == "color" || options.cost == "texture"),
             "--out-of-core uses positions only: it does not go with --cost " + options.cost);
-  refuse_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
+  reject_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
             "--keep-partial does not go with --levels or --record: they write several results");
 }
 

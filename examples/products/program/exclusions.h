@@ -44,7 +44,7 @@ inline constexpr const char* options_of_recorded_runs[] = {
     "--region",    "--labels"};
 
 /// Throws if an option is there that does not go with another one, with the reason.
-inline void refuse_beside(const CLI::App& app, const Exclusion& exclusion) {
+inline void reject_with(const CLI::App& app, const Exclusion& exclusion) {
   if (app.get_option(exclusion.option)->count() > 0)
     throw CLI::ValidationError(exclusion.option, std::string("does not go with ") +
                                                      exclusion.other + ": " + exclusion.reason);
@@ -54,7 +54,7 @@ inline void refuse_beside(const CLI::App& app, const Exclusion& exclusion) {
 inline void require_compatible(const CLI::App& app) {
   const auto refuse = [&](const Exclusion& exclusion) {
     if (app.get_option(exclusion.other)->count() > 0)
-      refuse_beside(app, exclusion);
+      reject_with(app, exclusion);
   };
   for (const Exclusion& exclusion : exclusions)
     refuse(exclusion);

@@ -31,7 +31,7 @@ void put_line(std::ofstream& file, const Json& json) {
 void FileProgress::write(const quadrille::FileStatus& status, Clock::time_point now) {
   Json json = {{"seconds", passed()},        {"stage", to_string(status.stage)},
                {"phase", status.phase},      {"phases", status.phases},
-               {"parts", status.parts},      {"parts_done", status.parts_done},
+               {"chunks", status.chunks},    {"chunks_done", status.chunks_done},
                {"progress", status.progress}};
   if (const std::optional<double> seconds = to_go(status))
     json["seconds_left"] = *seconds;

@@ -25,8 +25,8 @@ class FileProgress {
 public:
   /// Throws if the file could not be written. What a run wrote that this one goes on with stays.
   FileProgress(const Options& options, ProgressLine& line, bool is_first_rank)
-      : options_(options), line_(line), is_heard_(is_first_rank) {
-    if (!is_heard_ || options.progress.empty())
+      : options_(options), line_(line), has_received_(is_first_rank) {
+    if (!has_received_ || options.progress.empty())
       return;
     const bool goes_on = options.restarts || !options.step.empty();
     file_.open(options.progress, goes_on ? std::ios::app : std::ios::trunc);
@@ -35,7 +35,7 @@ public:
   }
 
   void show(const quadrille::FileStatus& status) {
-    if (!is_heard_)
+    if (!has_received_)
       return;
     const Clock::time_point now = Clock::now();
     const bool is_new = !last_ || last_->stage != status.stage || last_->phase != status.phase;
@@ -47,7 +47,7 @@ public:
     if (line_.is_shown())
       line_.show_text(text_of(status));
     else if (!options_.is_quiet)
-      tell_batch(status, now);
+      print_batch(status, now);
     if (file_.is_open() && (is_new || now - written_ >= std::chrono::seconds(1)))
       write(status, now);
     last_ = status;
@@ -74,22 +74,22 @@ private:
     std::string text{to_string(status.stage)};
     if (status.phase > 0)
       text += ", phase " + std::to_string(status.phase) + " of " + std::to_string(status.phases);
-    if (status.parts > 0)
-      text += ", " + with_commas(status.parts_done) + " of " + with_commas(status.parts) + " " +
+    if (status.chunks > 0)
+      text += ", " + with_commas(status.chunks_done) + " of " + with_commas(status.chunks) + " " +
               (status.stage == quadrille::FileStage::sample ? "samples" : "chunks");
     if (const std::optional<double> seconds = to_go(status))
       text += ", about " + duration_text(*seconds) + " to go";
     return text;
   }
 
-  void tell_batch(const quadrille::FileStatus& status, Clock::time_point now) {
+  void print_batch(const quadrille::FileStatus& status, Clock::time_point now) {
     using quadrille::FileStage;
     const bool is_step = !options_.step.empty();
     const bool is_cut = status.stage >= FileStage::partition; // else it may be refused
     const bool is_phase = status.phase > phase_ && status.stage == FileStage::simplify;
-    if (is_cut && !is_estimate_told_ && !is_step)
+    if (is_cut && !is_estimate_printed_ && !is_step)
       print_remark(options_, "about " + text_of(status.estimate));
-    is_estimate_told_ = is_estimate_told_ || is_cut;
+    is_estimate_printed_ = is_estimate_printed_ || is_cut;
     if ((is_phase && !is_step) || now - reported_ >= std::chrono::minutes(1)) {
       print_remark(options_, text_of(status));
       reported_ = now;
@@ -109,7 +109,7 @@ private:
 
   const Options& options_;
   ProgressLine& line_;
-  bool is_heard_, is_estimate_told_ = false;
+  bool has_received_, is_estimate_printed_ = false;
   std::ofstream file_;
   std::optional<quadrille::FileStatus> last_;
   unsigned phase_ = 0; // that has been told

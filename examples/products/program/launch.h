@@ -37,7 +37,7 @@ inline std::size_t launched_processes() {
   return told > 0 ? told : 1;
 }
 
-[[noreturn]] inline void refuse_launch(const std::string& why) {
+[[noreturn]] inline void reject_launch(const std::string& why) {
   throw std::runtime_error("--out-of-core: " + std::to_string(launched_processes()) +
                            " processes of this program were started together, as mpirun does, " +
                            why);
@@ -57,14 +57,14 @@ public:
       return;
     const std::string library = name_of_library();
     MPI_Finalize();
-    refuse_launch("by a different MPI from the one that it was built with, " + library);
+    reject_launch("by a different MPI from the one that it was built with, " + library);
   }
   ~Launch() {
     MPI_Finalize();
   }
 #else
   Launch() {
-    refuse_launch(
+    reject_launch(
         "but it was built without MPI, so they cannot share a job: start one process, or see "
         "--step");
   }

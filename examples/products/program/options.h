@@ -54,8 +54,8 @@ struct Options {
   Amount pairs;                          // closer than this; 0: edges only
   std::string topology;                  // empty: see topology()
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
-  bool drops_parts = false;
-  bool keeps_parts = false;             // neither: see topology()
+  bool drops_components = false;
+  bool keeps_components = false;        // neither: see topology()
   bool forbids_intersections = false;   // of faces that do not intersect in IN
   bool keeps_solid = false;             // and requires that IN is one
   std::optional<double> normal_degrees; // that normals may turn in all
@@ -146,10 +146,11 @@ inline quadrille::Topology topology(const Options& options) {
   using quadrille::Topology;
   if (options.topology == "free" || (options.topology.empty() && options.joins_pairs()))
     return Topology::free;
-  const bool is_by_default = options.topology.empty() && !options.keeps_parts &&
+  const bool is_by_default = options.topology.empty() && !options.keeps_components &&
                              !options.keeps_solid && options.scratch.empty() &&
                              options.labels.empty() && is_of_assets(options);
-  return options.drops_parts || is_by_default ? Topology::parts_may_vanish : Topology::kept;
+  return options.drops_components || is_by_default ? Topology::components_may_vanish
+                                                   : Topology::kept;
 }
 
 // --- What concerns several options, or options and what the file has
@@ -163,7 +164,7 @@ inline void require_fit(const Options& options, bool has_colors, bool has_textur
 }
 
 /// `others` is what else the file has.
-[[noreturn]] inline void refuse_without_faces(const Options& options, std::size_t vertices,
+[[noreturn]] inline void reject_without_faces(const Options& options, std::size_t vertices,
                                               const std::string& others = "") {
   throw std::runtime_error(options.input + ": nothing to simplify: it has " +
                            std::to_string(vertices) + " vertices" +

@@ -17,11 +17,11 @@
 namespace quadrille_examples {
 
 /// Options that do not go with parts, and why.
-struct NotByParts {
+struct NotByChunks {
   const char* option;
   const char* reason;
 };
-inline constexpr NotByParts not_by_parts[] = {
+inline constexpr NotByChunks not_by_chunks[] = {
     {"--calibrated",
      "each of its runs measures the whole surface, which is not in memory; --both-ways "
      "alone also keeps the limit"},
@@ -49,13 +49,13 @@ inline constexpr NotByParts not_by_parts[] = {
     {"--keep-partial", "finished work stays in the folder, and --restart resumes it"}};
 
 /// Throws for options that do not go with parts, with the reason.
-inline void require_by_parts(const CLI::App& app, const Options& options) {
+inline void require_by_chunks(const CLI::App& app, const Options& options) {
   if (options.scratch.empty())
     return;
-  for (const NotByParts& refused : not_by_parts)
-    refuse_beside(app, {refused.option, "--out-of-core", refused.reason});
+  for (const NotByChunks& refused : not_by_chunks)
+    reject_with(app, {refused.option, "--out-of-core", refused.reason});
   if (options.weld && options.weld->value > 0)
-    refuse_beside(
+    reject_with(
         app, {"--weld", "--out-of-core",
               "the vertices that a distance merges depend on the order of points in the file, in "
               "chains that may continue in other chunks; without a distance, --weld merges the "

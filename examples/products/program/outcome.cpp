@@ -51,9 +51,10 @@ std::string counted(std::size_t count, const std::string& noun) {
 }
 
 std::string vanished_text(const Report& report, double diagonal) {
-  const bool are_small = report.largest_vanished_part < 0.05 * diagonal;
-  return counted(report.vanished_parts, are_small ? "small component" : "component") +
-         " vanished, the largest of size " + distance_text(report.largest_vanished_part, diagonal);
+  const bool are_small = report.largest_vanished_component < 0.05 * diagonal;
+  return counted(report.vanished_components, are_small ? "small component" : "component") +
+         " vanished, the largest of size " +
+         distance_text(report.largest_vanished_component, diagonal);
 }
 
 std::string line(const Options& options, const Outcome& outcome) {
@@ -80,10 +81,10 @@ std::string line(const Options& options, const Outcome& outcome) {
   else
     text += ", error about " + distance_text(report.error, outcome.diagonal);
   if (report.used_tolerance)
-    text += ", " + percent_text(rounded_up(report.used_tolerance->part)) + " of " +
+    text += ", " + percent_text(rounded_up(report.used_tolerance->fraction)) + " of " +
             outcome.target.tolerance + " used";
   if (outcome.parts)
-    text += ", in " + counted(outcome.parts->parts, "chunk") + " in " +
+    text += ", in " + counted(outcome.parts->chunks, "chunk") + " in " +
             counted(outcome.parts->phases, "phase") + ", " +
             two_digits(static_cast<double>(outcome.parts->peak_memory) / 1e9) + " GB of memory";
   if (outcome.measured)
@@ -95,7 +96,7 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", " + percent_text(*report.volume_after / *report.volume_before) + " of the volume";
   if (report.normal_bound_degrees)
     text += ", normals within " + two_digits(rounded_up(*report.normal_bound_degrees)) + " degrees";
-  if (report.vanished_parts > 0)
+  if (report.vanished_components > 0)
     text += ", " + vanished_text(report, outcome.diagonal);
   const quadrille::Status input{.initial_faces = report.counted_faces,
                                 .initial_vertices = report.vertices_before,
@@ -146,8 +147,8 @@ Json json_of(const quadrille::Verdict& verdict) {
                     {"promised", finding.promised},
                     {"measured", finding.measured},
                     {"error", finding.error},
-                    {"held", finding.is_held}});
-    if (finding.place && !finding.is_held)
+                    {"held", finding.is_met}});
+    if (finding.place && !finding.is_met)
       json.back()["place"] = finding.place->coordinates;
   }
   return json;
@@ -155,7 +156,7 @@ Json json_of(const quadrille::Verdict& verdict) {
 
 Json json_of(const quadrille::FileReport& parts) {
   return {{"phases", parts.phases},
-          {"parts", parts.parts},
+          {"chunks", parts.chunks},
           {"faces_of_phases", parts.faces_of_phases},
           {"count_exact", parts.is_count_exact},
           {"shared_vertices", parts.shared_vertices},
@@ -186,8 +187,8 @@ Json json_of(const Outcome& outcome) {
                {"components", before_and_after(report.components_before, report.components_after)},
                {"contractions", report.contractions},
                {"non_edge_contractions", report.non_edge_contractions},
-               {"vanished_parts", report.vanished_parts},
-               {"largest_vanished_part", report.largest_vanished_part},
+               {"vanished_components", report.vanished_components},
+               {"largest_vanished_component", report.largest_vanished_component},
                {"non_manifold_edges", report.non_manifold_edges},
                {"non_manifold_vertices", report.non_manifold_vertices},
                {"error", report.error},
@@ -209,7 +210,7 @@ Json json_of(const Outcome& outcome) {
   if (std::isfinite(report.hausdorff_bound))
     json["hausdorff_bound"] = report.hausdorff_bound;
   if (report.used_tolerance)
-    json["used_tolerance"] = {{"part", report.used_tolerance->part},
+    json["used_tolerance"] = {{"part", report.used_tolerance->fraction},
                               {"place", report.used_tolerance->place}};
   if (report.self_intersections)
     json["self_intersections"] =
@@ -246,15 +247,15 @@ public:
   Hints(const Options& options, const Outcome& outcome)
       : options_(options), outcome_(outcome), report_(outcome.report),
         is_free_(topology(options) == quadrille::Topology::free),
-        refusals_(std::accumulate(report_.rejections.begin(), report_.rejections.end(),
-                                  std::size_t{0})) {}
+        rejections_(std::accumulate(report_.rejections.begin(), report_.rejections.end(),
+                                    std::size_t{0})) {}
 
   std::vector<std::string> all() {
     if (outcome_.trials)
       for (const Trial& trial : *outcome_.trials)
         add_trial(trial);
-    if (are_parts_in_the_way())
-      add_parts();
+    if (are_components_obstacles())
+      add_components();
     else if (!is_free_ && counts(Rejection::topology))
       add("topology is kept", "--topology free lets holes close and thin features collapse");
     if (counts(Rejection::seam))
@@ -264,7 +265,7 @@ public:
           "the run stopped at " + with_commas(report_.faces_after) +
           " faces: most of the remaining regions cannot lose a face, and the others would lose "
           "their shape");
-    if (is_held_by_topology_alone())
+    if (is_blocked_by_topology_alone())
       hints_.push_back("the topology needs all " + with_commas(report_.faces_after) +
                        " remaining faces: no edge can be contracted without changing it");
     if (are_pairs_of_faces_left())
@@ -286,27 +287,27 @@ private:
     std::string text = "with " + trial.option + " the result has " +
                        with_commas(trial.report.faces_after) + " faces, error about " +
                        distance_text(trial.report.error, outcome_.diagonal);
-    if (trial.report.vanished_parts > report_.vanished_parts)
+    if (trial.report.vanished_components > report_.vanished_components)
       text += ", " + vanished_text(trial.report, outcome_.diagonal);
     hints_.push_back(text);
   }
 
   /// What is rarer is not in the way.
   bool counts(Rejection cause) const {
-    return report_.rejected(cause) > 0 && 100 * report_.rejected(cause) >= refusals_;
+    return report_.rejected(cause) > 0 && 100 * report_.rejected(cause) >= rejections_;
   }
   std::string refused(Rejection cause) const { return with_commas(report_.rejected(cause)); }
 
   /// Each keeps four faces, or one if it has a border.
-  bool are_parts_in_the_way() const {
+  bool are_components_obstacles() const {
     return report_.components_after > 1 && 10 * report_.components_after >= report_.faces_after;
   }
 
   /// A closed surface keeps its topology to the end; where nothing else was ever refused, that is
   /// what the faces that are left owe it.
-  bool is_held_by_topology_alone() const {
+  bool is_blocked_by_topology_alone() const {
     return !is_free_ && report_.stop == quadrille::StopReason::all_pairs_rejected &&
-           report_.rejected(Rejection::topology) == refusals_;
+           report_.rejected(Rejection::topology) == rejections_;
   }
 
   /// They are where no target is asked for, and there is nothing else.
@@ -315,7 +316,7 @@ private:
            report_.rejected(Rejection::constraint) > 0 && !options_.locks_boundaries;
   }
 
-  void add_parts() {
+  void add_components() {
     std::string text = with_commas(report_.components_after) + " components are left";
     if (is_free_ && options_.joins_pairs())
       return;
@@ -324,7 +325,7 @@ private:
       return;
     }
     text += ", and each keeps some faces: ";
-    if (!outcome_.trials && topology(options_) != quadrille::Topology::parts_may_vanish)
+    if (!outcome_.trials && topology(options_) != quadrille::Topology::components_may_vanish)
       text += "--drop-parts removes small ones, ";
     if (!outcome_.trials)
       text += "--topology free lets holes close and thin features collapse, ";
@@ -354,7 +355,7 @@ private:
   const Outcome& outcome_;
   const Report& report_;
   bool is_free_;
-  std::size_t refusals_; // of all causes
+  std::size_t rejections_; // of all causes
   std::vector<std::string> hints_;
 };
 

@@ -144,11 +144,11 @@ inline void add_topology(CLI::App& app, Options& options) {
       {"kept", "free"})
       ->group("Policies");
   CLI::Option* const drops = app.add_flag(
-      "--drop-parts", options.drops_parts,
+      "--drop-parts", options.drops_components,
       "small components may be removed where that is the cheapest step; the rest of the "
       "topology is kept. This is the default for glTF, OBJ and PLY");
   CLI::Option* const keeps =
-      app.add_flag("--keep-parts", options.keeps_parts,
+      app.add_flag("--keep-parts", options.keeps_components,
                    "no component vanishes. This is the default for other formats");
   drops->group("Policies");
   keeps->group("Policies");

@@ -33,7 +33,7 @@ void require_fit(const Options& options, const Surfaces& surfaces) {
     vertices += surface.points.size();
   }
   if (faces == 0)
-    refuse_without_faces(options, vertices);
+    reject_without_faces(options, vertices);
 }
 
 /// Where no mesh is placed by its nodes, the scene is of the floats of the file.
@@ -218,7 +218,7 @@ private:
     return verify(options, report,
                   {input, input, mesh_of(scene.result().points, scene.result().triangles),
                    mesh_of(written.points(), written.triangles())},
-                  scene.result().image, progress_);
+                  scene.result().vertex_map, progress_);
   }
 
   static std::size_t faces_of(GltfMeshes& meshes) {

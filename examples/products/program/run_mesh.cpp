@@ -35,7 +35,7 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
   require_fit(options, !mesh.colors.empty(),
               !mesh.texture_coordinates.empty() || !mesh.corner_textures.empty());
   if (mesh.triangles.empty())
-    refuse_without_faces(options, mesh.points.size(), mesh.losses.text());
+    reject_without_faces(options, mesh.points.size(), mesh.losses.text());
 }
 
 void take_scalars(Options& options, const IndexedMesh& mesh) {
@@ -99,11 +99,11 @@ namespace {
 
 /// Material files that OUT will name, but which lie beside IN only.
 void print_remark_of_materials(const Options& options, const IndexedMesh& mesh) {
-  const auto is_beside = [](const std::string& file, const std::string& library) {
+  const auto is_next_to = [](const std::string& file, const std::string& library) {
     return std::filesystem::exists(std::filesystem::path(file).parent_path() / library);
   };
   for (const std::string& library : mesh.parts.libraries)
-    if (is_beside(options.input, library) && !is_beside(options.output, library))
+    if (is_next_to(options.input, library) && !is_next_to(options.output, library))
       print_remark(options, "OUT refers to the material file " + in_quotes(library, 100) +
                                 ", which is not in its folder: copy it there with its images");
 }
@@ -226,7 +226,7 @@ private:
   void look_for_labels(const IndexedMesh& mesh) {
     const FaceRegions regions(mesh);
     has_labels_ = !regions.labels().empty();
-    options_.keeps_parts |= regions.is_segmented() && !options_.drops_parts;
+    options_.keeps_components |= regions.is_segmented() && !options_.drops_components;
   }
 
   std::string content(const std::string& file, const IndexedMesh& mesh) {
@@ -287,8 +287,8 @@ private:
     const Options options = with_rest_of_limit(asked_options);
     const std::optional<IndexedMesh> input =
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
-    std::vector<std::size_t> images;
-    std::vector<std::size_t>* const asked = options.verifies ? &images : nullptr;
+    std::vector<std::size_t> vertex_map;
+    std::vector<std::size_t>* const asked = options.verifies ? &vertex_map : nullptr;
     quadrille::Report report = with_errors_of_file(options, [&] {
       return options.target.is_calibrated ? simplify_calibrated(mesh, options, asked, simplify)
                                           : simplify(mesh, options, asked);
@@ -306,12 +306,12 @@ private:
     if (options.verifies)
       outcomes_.back().verdict =
           verify(options, report, {file_ ? *file_ : *input, *input, mesh, read_back(mesh)},
-                 std::move(images), progress_);
+                 std::move(vertex_map), progress_);
   }
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {
     simplify_to(file, std::move(mesh), options,
-                [](IndexedMesh& m, const Options& o, std::vector<std::size_t>* image) {
-                  return simplify_mesh(m, o, {}, image);
+                [](IndexedMesh& m, const Options& o, std::vector<std::size_t>* vertex_map) {
+                  return simplify_mesh(m, o, {}, vertex_map);
                 });
   }
 
@@ -352,8 +352,8 @@ private:
     quadrille::Levels levels;
     PositionRecorder recorder(levels);
     simplify_to(files_.front(), std::move(mesh), options_,
-                [&](IndexedMesh& m, const Options& o, std::vector<std::size_t>* image) {
-                  return simplify_mesh(m, o, quadrille::record_into(recorder), image);
+                [&](IndexedMesh& m, const Options& o, std::vector<std::size_t>* vertex_map) {
+                  return simplify_mesh(m, o, quadrille::record_into(recorder), vertex_map);
                 });
     files_.insert(files_.begin(), options_.record);
     contents_.insert(contents_.begin(), encoded_levels(levels));

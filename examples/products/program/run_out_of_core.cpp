@@ -1,4 +1,4 @@
-#include "check_parts.h"
+#include "check_chunks.h"
 #include "file_progress.h"
 #include "launch.h"
 #include "outcome.h"
@@ -6,9 +6,9 @@
 #include "simplify_mesh.h"
 #include "tiles.h"
 
+#include "../chunks/policies_of_chunks.h"
 #include "../mesh_io/attributes/mesh_channels.h"
 #include "../mesh_io/replace_file.h"
-#include "../parts/policies_of_parts.h"
 
 #include <quadrille/file.h>
 
@@ -39,7 +39,7 @@ quadrille::OutOfCore out_of_core(const Options& options, FileProgress& progress)
   quadrille::OutOfCore result;
   result.scratch = options.scratch;
   result.memory = options.memory;
-  result.parts_in_flight = options.threads;
+  result.chunks_in_flight = options.threads;
   result.restart = options.restarts || options.step == "close";
   result.attribute_importance = options.cost.empty() ? 1 : hardly;
   result.positions_only = options.positions_only;
@@ -55,9 +55,9 @@ quadrille::OutOfCore out_of_core(const Options& options, FileProgress& progress)
 }
 
 /// A run by parts, or a step of one.
-class PartsRun {
+class ChunksRun {
 public:
-  PartsRun(const Options& options, ProgressLine& progress) : options_(options), line_(progress) {
+  ChunksRun(const Options& options, ProgressLine& progress) : options_(options), line_(progress) {
     if (options.step.empty() && launched_processes() > 1)
       launch_.emplace();
     progress_.emplace(options, progress, !launch_ || launch_->is_first());
@@ -126,10 +126,12 @@ private:
     if (options_.target.faces && options_.target.ratio)
       throw std::runtime_error("--out-of-core takes --faces or --keep, not both");
     const quadrille::SoupOptions soup = soup_options(options_);
-    const auto limit = limit_of_parts(soup, options_.target.tolerance);
-    return with_policies_of_parts(soup, limit.has_value(), [&](const auto& cost, const auto& stop) {
-      return run_with(cost, stop, placement_of_parts<std::decay_t<decltype(cost)>>(soup), limit);
-    });
+    const auto limit = limit_of_chunks(soup, options_.target.tolerance);
+    return with_policies_of_chunks(
+        soup, limit.has_value(), [&](const auto& cost, const auto& stop) {
+          return run_with(cost, stop, placement_of_chunks<std::decay_t<decltype(cost)>>(soup),
+                          limit);
+        });
   }
 
   template <class Cost, class Stop>
@@ -139,12 +141,12 @@ private:
     const quadrille::SurfaceFiles files = surface_files(options_);
     const quadrille::Topology kept = topology(options_);
     if (launch_)
-      return tell_of(
+      return report_on(
           launch_->simplify_file(files, options_.output, stop, how, cost, placement, kept, limit));
     quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology,
                                      std::optional<DistanceChoice>>
         job(files, stop, how, cost, placement, kept, limit);
-    return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
+    return options_.step.empty() ? report_on(job(options_.output)) : step(job);
   }
 
   template <class Job>
@@ -156,7 +158,7 @@ private:
       begin(job);
     if (options_.step == "close" && !job.close()) {
       line_.clear();
-      const bool is_met = tell_of(job.sew(options_.output), true);
+      const bool is_met = report_on(job.merge(options_.output), true);
       std::cout << 0 << std::endl;
       return is_met;
     }
@@ -164,7 +166,7 @@ private:
       simplify(job, static_cast<std::size_t>(std::stoull(options_.step)));
     line_.clear();
     progress_->end("done", std::nullopt);
-    std::cout << job.parts() << std::endl;
+    std::cout << job.chunks() << std::endl;
     return true;
   }
 
@@ -177,14 +179,14 @@ private:
 
   template <class Job>
   void simplify(Job& job, std::size_t part) {
-    if (part >= job.parts())
+    if (part >= job.chunks())
       throw std::runtime_error("--step " + options_.step + ": the phase has " +
-                               std::to_string(job.parts()) + " chunks, numbered from 0");
+                               std::to_string(job.chunks()) + " chunks, numbered from 0");
     if (!job.simplify(part, [] { return Interruption::is_asked(); }))
       throw Interrupted();
   }
 
-  bool tell_of(const FileReport& report, bool is_step = false) {
+  bool report_on(const FileReport& report, bool is_step = false) {
     if (report.stop == quadrille::StopReason::cancelled)
       throw Interrupted();
     if (launch_ && !launch_->is_first())
@@ -261,7 +263,7 @@ double memory_there_is() {
 } // namespace
 
 bool run_out_of_core(const Options& options, ProgressLine& progress) {
-  return PartsRun(options, progress).run();
+  return ChunksRun(options, progress).run();
 }
 
 void print_remark_of_memory(const Options& options) {

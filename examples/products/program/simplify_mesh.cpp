@@ -22,9 +22,10 @@ quadrille::SoupOptions::Cost cost(const Options& options) {
 
 /// Simplifies a mesh without attributes that vary.
 quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOptions& options,
-                                     std::vector<std::size_t>* image) {
+                                     std::vector<std::size_t>* vertex_map) {
   quadrille::SoupPoints points = soup_points(mesh.points);
-  const quadrille::Report report = quadrille::simplify_soup(points, mesh.triangles, options, image);
+  const quadrille::Report report =
+      quadrille::simplify_soup(points, mesh.triangles, options, vertex_map);
   mesh.points = mesh_points(points);
   resize_constants(mesh);
   return report;
@@ -116,12 +117,12 @@ ChannelChoices channel_choices(const Options& options) {
 
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const std::optional<quadrille::SoupRecorder>& recorder,
-                                std::vector<std::size_t>* image) {
+                                std::vector<std::size_t>* vertex_map) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;
   if (!needs_channels(mesh))
-    return simplify_positions(mesh, soup, image);
-  return MeshChannels(mesh).simplify(soup, channel_choices(options), image);
+    return simplify_positions(mesh, soup, vertex_map);
+  return MeshChannels(mesh).simplify(soup, channel_choices(options), vertex_map);
 }
 
 } // namespace quadrille_examples

@@ -24,7 +24,7 @@ namespace quadrille_examples {
 /// point: an index of the result, or parameters::vanished.
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const std::optional<quadrille::SoupRecorder>& recorder = {},
-                                std::vector<std::size_t>* image = nullptr);
+                                std::vector<std::size_t>* vertex_map = nullptr);
 
 /// The numbers of points that have this name; at seams the one that is ahead of the others. Throws
 /// std::invalid_argument where there are none.
@@ -44,7 +44,7 @@ quadrille::SoupOptions soup_options(const Options& options, const auto& points,
     result.position_noise = length_of(options.position_noise, diagonal(points, triangles));
   if (options.locks_boundaries)
     result.fixed = boundary_points(points.size(), triangles);
-  if (!options.target.is_given() && !options.drops_parts &&
+  if (!options.target.is_given() && !options.drops_components &&
       topology(options) != quadrille::Topology::free)
     leave_pairs_of_faces(points.size(), triangles, result);
   return result;

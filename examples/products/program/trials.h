@@ -29,7 +29,7 @@ struct AskedTrial {
 };
 
 /// Is anything refused for where vertices would go, which another placement might choose better?
-inline bool is_place_in_the_way(const Options& options, const quadrille::Report& report) {
+inline bool is_place_an_obstacle(const Options& options, const quadrille::Report& report) {
   using quadrille::Rejection;
   const std::size_t refused =
       report.rejected(Rejection::self_intersection) + report.rejected(Rejection::normal_deviation);
@@ -46,17 +46,17 @@ inline std::vector<AskedTrial> trials_of(const Options& options, const quadrille
   if (topology(options) == quadrille::Topology::kept && !options.keeps_solid &&
       report.components_after > 1)
     add("--drop-parts", [](Options& o) {
-      o.drops_parts = true;
-      o.keeps_parts = false;
+      o.drops_components = true;
+      o.keeps_components = false;
     });
   if (topology(options) != quadrille::Topology::free && !options.keeps_solid)
     add("--topology free", [](Options& o) {
-      o.drops_parts = o.keeps_parts = false;
+      o.drops_components = o.keeps_components = false;
       o.topology = "free";
     });
   if (options.seams == quadrille::Seams::kept && report.rejected(quadrille::Rejection::seam) > 0)
     add("--seams soft", [](Options& o) { o.seams = quadrille::Seams::soft; });
-  if (is_place_in_the_way(options, report))
+  if (is_place_an_obstacle(options, report))
     for (const char* const placement : {"endpoint", "optimal"})
       if (placement != (options.placement.empty() ? "optimal" : options.placement))
         add(std::string("--placement ") + placement,

@@ -47,7 +47,7 @@ quadrille::Claims distances_of(const Options& options, const quadrille::Report& 
 } // namespace
 
 quadrille::Verdict verify(const Options& options, const quadrille::Report& report,
-                          const VerifiedMeshes& meshes, std::vector<std::size_t> images,
+                          const VerifiedMeshes& meshes, std::vector<std::size_t> vertex_map,
                           ProgressLine& progress) {
   quadrille::Verdict verdict =
       looked_at(meshes.file_in, meshes.file_out, distances_of(options, report), progress);
@@ -55,7 +55,7 @@ quadrille::Verdict verify(const Options& options, const quadrille::Report& repor
   claims.no_self_intersection = options.forbids_intersections || options.keeps_solid;
   claims.solid = options.keeps_solid;
   claims.normal_deviation = report.normal_bound_degrees;
-  claims.images = std::move(images);
+  claims.vertex_map = std::move(vertex_map);
   for (quadrille::Finding& finding :
        looked_at(meshes.input, meshes.result, std::move(claims), progress).findings)
     verdict.findings.push_back(std::move(finding));

@@ -35,7 +35,7 @@ struct VerifiedMeshes {
 /// Looks at what was asked for, as the report says it was reached. `images`: of each point of the
 /// input, the one of the result that it has become. Throws Interrupted.
 quadrille::Verdict verify(const Options& options, const quadrille::Report& report,
-                          const VerifiedMeshes& meshes, std::vector<std::size_t> images,
+                          const VerifiedMeshes& meshes, std::vector<std::size_t> vertex_map,
                           ProgressLine& progress);
 
 /// A bound of how far two meshes are apart, either way. Throws Interrupted.

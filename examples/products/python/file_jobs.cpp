@@ -1,6 +1,6 @@
 #include "file_jobs.h"
 
-#include "../parts/policies_of_parts.h"
+#include "../chunks/policies_of_chunks.h"
 #include "interruptible.h"
 
 #include <quadrille/compiled.h>
@@ -41,7 +41,7 @@ public:
   virtual std::size_t join() = 0;      ///< the same
   virtual void simplify(std::size_t part) const = 0;
   virtual std::size_t close() = 0; ///< the same, or 0 if nothing does
-  virtual FileReport sew(const std::filesystem::path& output) = 0;
+  virtual FileReport merge(const std::filesystem::path& output) = 0;
   virtual FileReport run(const std::filesystem::path& output) = 0;
 };
 
@@ -51,21 +51,21 @@ public:
   template <class Stop>
   FileJobBy(const SurfaceFiles& input, const Stop& stop, const OutOfCore& how, const Cost& cost,
             const SoupOptions& options)
-      : job_(input, stop, how, cost, placement_of_parts<Cost>(options),
-             options.topology.value_or(Topology::kept), limit_of_parts(options, how.tolerance)) {}
+      : job_(input, stop, how, cost, placement_of_chunks<Cost>(options),
+             options.topology.value_or(Topology::kept), limit_of_chunks(options, how.tolerance)) {}
 
   FileEstimate estimate() const override { return job_.estimate(); }
-  std::size_t partition() override { return job_.partition(), job_.parts(); }
-  std::size_t join() override { return job_.join(), job_.parts(); }
+  std::size_t partition() override { return job_.partition(), job_.chunks(); }
+  std::size_t join() override { return job_.join(), job_.chunks(); }
   void simplify(std::size_t part) const override {
-    if (part >= job_.parts())
+    if (part >= job_.chunks())
       throw std::out_of_range("part is " + std::to_string(part) + ", but the phase has " +
-                              std::to_string(job_.parts()) + " parts, numbered from 0");
+                              std::to_string(job_.chunks()) + " parts, numbered from 0");
     Interruptible proceed{py::none()};
     job_.simplify(part, [&] { return !proceed(0); });
   }
-  std::size_t close() override { return job_.close() ? job_.parts() : 0; }
-  FileReport sew(const std::filesystem::path& output) override { return job_.sew(output); }
+  std::size_t close() override { return job_.close() ? job_.chunks() : 0; }
+  FileReport merge(const std::filesystem::path& output) override { return job_.merge(output); }
   FileReport run(const std::filesystem::path& output) override { return job_(output); }
 
 private:
@@ -78,8 +78,8 @@ std::unique_ptr<FileJob> job_of(const std::vector<std::filesystem::path>& paths,
                     const FileStatus& status) { return (*proceed)(status); };
   const SurfaceFiles input(paths);
   const py::gil_scoped_release unlocked;
-  return with_policies_of_parts(
-      options, limit_of_parts(options, how.tolerance).has_value(),
+  return with_policies_of_chunks(
+      options, limit_of_chunks(options, how.tolerance).has_value(),
       [&]<class Cost>(const Cost& cost, const auto& stop) -> std::unique_ptr<FileJob> {
         return std::make_unique<FileJobBy<Cost>>(input, stop, how, cost, options);
       });
@@ -88,7 +88,7 @@ std::unique_ptr<FileJob> job_of(const std::vector<std::filesystem::path>& paths,
 /// What a report of a file has beside what any has.
 py::dict figures_of(const FileReport& report) {
   using namespace py::literals;
-  return py::dict("phases"_a = report.phases, "parts"_a = report.parts,
+  return py::dict("phases"_a = report.phases, "chunks"_a = report.chunks,
                   "faces_of_phases"_a = report.faces_of_phases,
                   "is_count_exact"_a = report.is_count_exact, "bytes_read"_a = report.bytes_read,
                   "bytes_written"_a = report.bytes_written, "diagonal"_a = report.diagonal,
@@ -122,11 +122,11 @@ void add_status(py::module_& m) {
   py::class_<FileStatus>(m, "FileStatus", "The progress of simplify_file().")
       .def_property_readonly(
           "stage", [](const FileStatus& s) { return to_string(s.stage); },
-          "'weld', 'survey', 'partition', 'sample', 'simplify', 'regroup' or 'sew'")
+          "'weld', 'survey', 'partition', 'sample', 'simplify', 'regroup' or 'merge'")
       .def_readonly("phase", &FileStatus::phase, "counted from 1; 0 while the file is cut")
       .def_readonly("phases", &FileStatus::phases, "the expected number of phases")
-      .def_readonly("parts", &FileStatus::parts, "the number of chunks of the phase")
-      .def_readonly("parts_done", &FileStatus::parts_done)
+      .def_readonly("chunks", &FileStatus::chunks, "the number of chunks of the phase")
+      .def_readonly("chunks_done", &FileStatus::chunks_done)
       .def_readonly("faces", &FileStatus::faces, "faces of the input")
       .def_readonly("progress", &FileStatus::progress,
                     "the approximate completed fraction, from 0 to 1")
@@ -134,7 +134,7 @@ void add_status(py::module_& m) {
       .def("__repr__", [](const FileStatus& s) {
         return "<quadrille.FileStatus: " + std::string(to_string(s.stage)) + ", phase " +
                std::to_string(s.phase) + " of " + std::to_string(s.phases) + ", " +
-               std::to_string(s.parts_done) + " of " + std::to_string(s.parts) + " parts>";
+               std::to_string(s.chunks_done) + " of " + std::to_string(s.chunks) + " parts>";
       });
 }
 
@@ -146,9 +146,9 @@ void add_file_jobs(py::module_& m) {
       .def(py::init<>())
       .def_readwrite("scratch", &OutOfCore::scratch)
       .def_readwrite("memory", &OutOfCore::memory)
-      .def_readwrite("parts_in_flight", &OutOfCore::parts_in_flight)
+      .def_readwrite("chunks_in_flight", &OutOfCore::chunks_in_flight)
       .def_readwrite("restart", &OutOfCore::restart)
-      .def_readwrite("part_faces", &OutOfCore::part_faces)
+      .def_readwrite("chunk_faces", &OutOfCore::chunk_faces)
       .def_readwrite("attribute_importance", &OutOfCore::attribute_importance)
       .def_readwrite("keeps_tiles", &OutOfCore::keeps_tiles)
       .def_readwrite("locks_boundary", &OutOfCore::locks_boundary)
@@ -163,7 +163,7 @@ void add_file_jobs(py::module_& m) {
       .def("join", &FileJob::join, Unlocked())
       .def("simplify", &FileJob::simplify, Unlocked())
       .def("close", &FileJob::close, Unlocked())
-      .def("sew", &reported<&FileJob::sew>)
+      .def("merge", &reported<&FileJob::merge>)
       .def("run", &reported<&FileJob::run>);
 }
 

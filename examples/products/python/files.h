@@ -123,7 +123,7 @@ inline void set_faces(IndexedMesh& mesh, const IndexedMesh& source,
 }
 
 /// All faces have what corners have, where no file says otherwise.
-inline void set_one_part(IndexedMesh& mesh) {
+inline void set_one_chunk(IndexedMesh& mesh) {
   mesh.parts = {};
   mesh.parts.parts = {
       {.has_textures = !mesh.corner_textures.empty(), .has_normals = !mesh.corner_normals.empty()}};

@@ -53,7 +53,7 @@ void add_measures(py::module_& m) {
       .def_readwrite("no_self_intersection", &Claims::no_self_intersection)
       .def_readwrite("solid", &Claims::solid)
       .def_readwrite("normal_deviation", &Claims::normal_deviation)
-      .def_readwrite("images", &Claims::images);
+      .def_readwrite("vertex_map", &Claims::vertex_map);
   m.def("surface_distance", [](const Points& a, const Faces& faces_a, const Points& b,
                                const Faces& faces_b, std::size_t samples, std::uint64_t seed) {
     const auto d = distance(a, faces_a, b, faces_b, samples, seed);
@@ -69,7 +69,7 @@ void add_measures(py::module_& m) {
     quadrille::Verdict told = verdict(input, input_faces, result, result_faces, claims);
     std::vector<Row> findings;
     for (auto& f : told.findings)
-      findings.emplace_back(std::move(f.claim), f.promised, f.measured, f.error, f.is_held,
+      findings.emplace_back(std::move(f.claim), f.promised, f.measured, f.error, f.is_met,
                             f.place ? Place(f.place->coordinates) : Place());
     return std::pair(std::move(findings), told.is_cancelled);
   });

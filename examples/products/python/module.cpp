@@ -57,8 +57,9 @@ py::dict arrays_of(SoupResult result) {
   arrays["faces"] = array_of_rows(std::move(result.triangles));
   arrays["labels"] = array_of_numbers(std::move(result.labels));
   arrays["input_faces"] = array_of_numbers(std::move(result.input_faces));
-  const auto count = static_cast<py::ssize_t>(result.image.size());
-  arrays["image"] = array_of<std::int64_t>(std::move(result.image), {count}); // vanished is -1
+  const auto count = static_cast<py::ssize_t>(result.vertex_map.size());
+  arrays["vertex_map"] =
+      array_of<std::int64_t>(std::move(result.vertex_map), {count}); // vanished is -1
   py::list channels;
   for (SoupChannel& channel : result.channels)
     channels.append(py::make_tuple(array_of_values(std::move(channel.values), channel.components),
@@ -148,7 +149,7 @@ void add_options(py::module_& m) {
       .def_readwrite("fixed", &SoupOptions::fixed)
       .def_readwrite("importance", &SoupOptions::importance)
       .def_readwrite("selected", &SoupOptions::selected)
-      .def_readwrite("label_border_weight", &SoupOptions::label_border_weight)
+      .def_readwrite("region_boundary_weight", &SoupOptions::region_boundary_weight)
       .def_readwrite("split_vertices", &SoupOptions::split_vertices);
 }
 
@@ -172,7 +173,7 @@ void add_choices(py::module_& m) {
   py::enum_<Topology>(m, "Topology")
       .value("kept", Topology::kept)
       .value("free", Topology::free)
-      .value("parts_may_vanish", Topology::parts_may_vanish);
+      .value("components_may_vanish", Topology::components_may_vanish);
 }
 
 void add_ways(py::module_& m) {
@@ -205,7 +206,7 @@ void add_channels(py::module_& m) {
       .def_readwrite("importance", &ChannelOptions::importance)
       .def_readwrite("weights", &ChannelOptions::weights)
       .def_readwrite("seams", &ChannelOptions::seams)
-      .def_readwrite("border_weight", &ChannelOptions::border_weight)
+      .def_readwrite("chart_boundary_weight", &ChannelOptions::chart_boundary_weight)
       .def_readwrite("new_values", &ChannelOptions::new_values)
       .def_readwrite("linear_light", &ChannelOptions::linear_light);
 }
@@ -221,7 +222,7 @@ std::string write_arrays(const std::filesystem::path& path, const WrittenArrays&
   if (source && faces)
     set_faces(mesh, *source, *faces);
   if (mesh.parts.of_faces.empty())
-    set_one_part(mesh);
+    set_one_chunk(mesh);
   fit_to_format(mesh, format);
   const py::gil_scoped_release unlocked;
   if (is_gltf(extension)) {

@@ -29,10 +29,10 @@ namespace py = pybind11;
 /// here.
 inline auto numbers_of(const quadrille::Status& status) {
   const auto& [initial_faces, initial_vertices, faces, vertices, initial_edges, edges, contractions,
-               next_error, next_cost, next_distance, next_distance_back, next_tolerance, diagonal,
-               progress, stage] = status;
+               next_error, next_cost, next_distance, next_reverse_distance, next_tolerance,
+               diagonal, progress, stage] = status;
   return std::tuple(initial_faces, initial_vertices, faces, vertices, initial_edges, edges,
-                    contractions, next_error, next_cost, next_distance, next_distance_back,
+                    contractions, next_error, next_cost, next_distance, next_reverse_distance,
                     next_tolerance, diagonal, progress, static_cast<int>(stage));
 }
 
@@ -50,7 +50,7 @@ using UsedTolerance = std::optional<quadrille::Report::UsedTolerance>;
 using ToleranceNumbers = std::optional<std::tuple<double, std::array<double, 3>>>;
 
 inline ToleranceNumbers numbers_of(const UsedTolerance& used) {
-  return used ? ToleranceNumbers({used->part, used->place}) : std::nullopt;
+  return used ? ToleranceNumbers({used->fraction, used->place}) : std::nullopt;
 }
 inline UsedTolerance used_tolerance_of(const ToleranceNumbers& used) {
   return used ? UsedTolerance({std::get<0>(*used), std::get<1>(*used)}) : std::nullopt;
@@ -68,13 +68,23 @@ Enum value_of(int number, int count) {
 
 inline quadrille::Status status_of(const StatusNumbers& numbers) {
   const auto& [initial_faces, initial_vertices, faces, vertices, initial_edges, edges, contractions,
-               next_error, next_cost, next_distance, next_distance_back, next_tolerance, diagonal,
-               progress, stage] = numbers;
-  return {initial_faces, initial_vertices,   faces,
-          vertices,      initial_edges,      edges,
-          contractions,  next_error,         next_cost,
-          next_distance, next_distance_back, next_tolerance,
-          diagonal,      progress,           value_of<quadrille::Stage>(stage, 3)};
+               next_error, next_cost, next_distance, next_reverse_distance, next_tolerance,
+               diagonal, progress, stage] = numbers;
+  return {initial_faces,
+          initial_vertices,
+          faces,
+          vertices,
+          initial_edges,
+          edges,
+          contractions,
+          next_error,
+          next_cost,
+          next_distance,
+          next_reverse_distance,
+          next_tolerance,
+          diagonal,
+          progress,
+          value_of<quadrille::Stage>(stage, 3)};
 }
 
 /// A bound, or None where it is infinite: JSON has no infinity.
@@ -98,17 +108,17 @@ inline py::dict dict_of(const quadrille::Report& report) {
   using namespace py::literals;
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
-               vanished_parts, largest_vanished_part, non_manifold_edges, non_manifold_vertices,
-               duplicated_vertices, doubled_faces, doubled_labels, stop, error, distance_bound,
-               hausdorff_bound, used_tolerance, volume_before, volume_after, self_intersections,
-               normal_bound_degrees, rejections, seconds] = report;
+               vanished_components, largest_vanished_component, non_manifold_edges,
+               non_manifold_vertices, duplicated_vertices, doubled_faces, doubled_labels, stop,
+               error, distance_bound, hausdorff_bound, used_tolerance, volume_before, volume_after,
+               self_intersections, normal_bound_degrees, rejections, seconds] = report;
   return py::dict(
       "faces_before"_a = faces_before, "counted_faces"_a = counted_faces,
       "faces_after"_a = faces_after, "vertices_before"_a = vertices_before,
       "vertices_after"_a = vertices_after, "contractions"_a = contractions,
       "non_edge_contractions"_a = non_edge_contractions, "components_before"_a = components_before,
-      "components_after"_a = components_after, "vanished_parts"_a = vanished_parts,
-      "largest_vanished_part"_a = largest_vanished_part,
+      "components_after"_a = components_after, "vanished_components"_a = vanished_components,
+      "largest_vanished_component"_a = largest_vanished_component,
       "non_manifold_edges"_a = non_manifold_edges,
       "non_manifold_vertices"_a = non_manifold_vertices,
       "duplicated_vertices"_a = duplicated_vertices, "doubled_faces"_a = doubled_faces,
@@ -162,8 +172,8 @@ inline quadrille::Report report_of(const py::dict& dict) {
                            count("non_edge_contractions"),
                            count("components_before"),
                            count("components_after"),
-                           count("vanished_parts"),
-                           member<double>(dict, "largest_vanished_part"),
+                           count("vanished_components"),
+                           member<double>(dict, "largest_vanished_component"),
                            count("non_manifold_edges"),
                            count("non_manifold_vertices"),
                            count("duplicated_vertices"),
@@ -246,9 +256,9 @@ inline void add_report(py::module_& m) {
       .def_readonly("non_edge_contractions", &Report::non_edge_contractions)
       .def_readonly("components_before", &Report::components_before)
       .def_readonly("components_after", &Report::components_after)
-      .def_readonly("vanished_parts", &Report::vanished_parts,
+      .def_readonly("vanished_components", &Report::vanished_components,
                     "the number of components that were removed entirely")
-      .def_readonly("largest_vanished_part", &Report::largest_vanished_part,
+      .def_readonly("largest_vanished_component", &Report::largest_vanished_component,
                     "the diagonal of the bounding box of the largest removed component")
       .def_readonly("non_manifold_edges", &Report::non_manifold_edges)
       .def_readonly("non_manifold_vertices", &Report::non_manifold_vertices)

@@ -135,8 +135,8 @@ inline ArrayView view_of_output(const quadrille::SoupResult& result, std::string
     return view_of(result.labels);
   if (name == "inputFaces")
     return view_of(result.input_faces);
-  if (name == "image")
-    return view_of(result.image);
+  if (name == "vertex_map")
+    return view_of(result.vertex_map);
   return view_of_channel(result.channels, name, channel);
 }
 inline ArrayView view_of_output(const quadrille::Level& level, std::string_view name,

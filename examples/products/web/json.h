@@ -38,8 +38,8 @@ inline std::string json_of(const quadrille::Report& report) {
   json.add("contractions", report.contractions);
   json.add("componentsBefore", report.components_before);
   json.add("componentsAfter", report.components_after);
-  json.add("vanishedParts", report.vanished_parts);
-  json.add("largestVanishedPart", report.largest_vanished_part);
+  json.add("vanishedComponents", report.vanished_components);
+  json.add("largestVanishedComponent", report.largest_vanished_component);
   json.add("nonManifoldEdges", report.non_manifold_edges);
   json.add("nonManifoldVertices", report.non_manifold_vertices);
   json.add("doubledFaces", report.doubled_faces);

@@ -43,7 +43,7 @@ void with_stop(std::string_view name, double number, Task task) {
   else if (name == "contractions")
     task(quadrille::AfterContractions{count()});
   else
-    refuse_option(name);
+    reject_option(name);
 }
 
 template <class Answer>
@@ -113,9 +113,9 @@ QUADRILLE_EXPORT(setChoice) bool set_choice_of(Call* call, bool is_of_channel) {
                   : set_choice(call->options, name, value);
   });
 }
-QUADRILLE_EXPORT(run) bool run(Call* call, RecordedLevels* levels, bool tells_progress) {
+QUADRILLE_EXPORT(run) bool run(Call* call, RecordedLevels* levels, bool reports_progress) {
   return call->succeeds([&] {
-    if (tells_progress)
+    if (reports_progress)
       call->options.proceed = proceed;
     call->run(levels ? &levels->levels : nullptr);
     call->text = json_of(call->result.report);

@@ -35,7 +35,7 @@ inline constexpr std::array<Named<Options::Order>, 2> orders{
 inline constexpr std::array<Named<quadrille::Topology>, 3> topologies{
     {{"kept", quadrille::Topology::kept},
      {"free", quadrille::Topology::free},
-     {"parts_may_vanish", quadrille::Topology::parts_may_vanish}}};
+     {"components_may_vanish", quadrille::Topology::components_may_vanish}}};
 inline constexpr std::array<Named<quadrille::Weighting>, 3> weightings{
     {{"by_area", quadrille::Weighting::by_area},
      {"uniform", quadrille::Weighting::uniform},
@@ -70,7 +70,7 @@ Enum chosen(const std::array<Named<Enum>, n>& choices, std::string_view option,
                               "\", which is not one of " + names);
 }
 
-[[noreturn]] inline void refuse_option(std::string_view name) {
+[[noreturn]] inline void reject_option(std::string_view name) {
   throw std::invalid_argument("there is no option " + std::string(name));
 }
 
@@ -107,11 +107,11 @@ inline void set_number(Options& options, std::string_view name, double value) {
       set("normal_deviation", &Options::normal_deviation) ||
       set("no_self_intersection", &Options::no_self_intersection) ||
       set("keep_solid", &Options::keep_solid) ||
-      set("label_border_weight", &Options::label_border_weight) ||
+      set("region_boundary_weight", &Options::region_boundary_weight) ||
       set("split_vertices", &Options::split_vertices) || set("share", &Options::share) ||
       set("refresh", &Options::refresh);
   if (!is_known)
-    refuse_option(name);
+    reject_option(name);
 }
 
 /// A choice by name.
@@ -127,7 +127,7 @@ inline void set_choice(Options& options, std::string_view name, std::string_view
   else if (name == "weighting")
     options.weighting = chosen(weightings, name, value);
   else
-    refuse_option(name);
+    reject_option(name);
 }
 
 /// The same of a channel. `weights` are set one by one.
@@ -136,12 +136,12 @@ inline void set_number(quadrille::ChannelOptions& options, std::string_view name
     options.importance = value;
   else if (name == "weights")
     options.weights.push_back(value);
-  else if (name == "border_weight")
-    options.border_weight = value;
+  else if (name == "chart_boundary_weight")
+    options.chart_boundary_weight = value;
   else if (name == "linear_light")
     options.linear_light = value != 0;
   else
-    refuse_option(name);
+    reject_option(name);
 }
 inline void set_choice(quadrille::ChannelOptions& options, std::string_view name,
                        std::string_view value) {
@@ -150,7 +150,7 @@ inline void set_choice(quadrille::ChannelOptions& options, std::string_view name
   else if (name == "new_values")
     options.new_values = chosen(all_new_values, name, value);
   else
-    refuse_option(name);
+    reject_option(name);
 }
 
 } // namespace quadrille_examples

@@ -80,7 +80,7 @@ struct ReadSoup {
 
 void forget_result(quadrille_call& call) {
   call.result = {};
-  call.image.clear();
+  call.vertex_map.clear();
   call.report.clear();
   call.report_text.clear();
 }
@@ -112,8 +112,8 @@ void run(quadrille_call& call, const SimplifyJob& simplify) {
   set_functions(call, job, progress);
   const ReadSoup soup(call);
   call.result = simplify(soup.view(), job);
-  call.image.assign(call.result.image.begin(), call.result.image.end());
-  call.result.image.clear();
+  call.vertex_map.assign(call.result.vertex_map.begin(), call.result.vertex_map.end());
+  call.result.vertex_map.clear();
 }
 
 } // namespace

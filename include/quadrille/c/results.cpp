@@ -43,7 +43,7 @@ std::string json(const std::optional<Report::UsedTolerance>& used) {
   if (!used)
     return "null";
   const auto& [x, y, z] = used->place;
-  return '[' + json(used->part) + ", [" + json(x) + ", " + json(y) + ", " + json(z) + "]]";
+  return '[' + json(used->fraction) + ", [" + json(x) + ", " + json(y) + ", " + json(z) + "]]";
 }
 std::string json(const std::optional<Report::SelfIntersections>& counts) {
   return counts ? '[' + json(counts->before) + ", " + json(counts->after) + ']' : "null";
@@ -96,8 +96,8 @@ quadrille_array array_of(const quadrille_call& call, std::string_view name, std:
     return view_of(result.labels);
   if (name == "input_faces")
     return view_of(result.input_faces);
-  if (name == "image")
-    return view_of(call.image);
+  if (name == "vertex_map")
+    return view_of(call.vertex_map);
   if (name != "values" && name != "corners")
     throw std::invalid_argument("a result has no array " + std::string(name));
   if (channel >= result.channels.size())

@@ -10,22 +10,22 @@ namespace quadrille::internal {
 
 namespace {
 
-/// OuterHull or InnerHull, told at run time: one engine is compiled for both.
+/// OuterHull or InnerHull, known at run time: one engine is compiled for both.
 class EitherHull {
 public:
   using ScaleFree = EitherHull;
-  using Guess = OuterHull::Guess;
+  using Estimate = OuterHull::Estimate;
   static constexpr bool looks_at_star = true;
   static constexpr bool asks_for_volume = true;
   static constexpr bool needs_closed_surface = true;
   static constexpr Rejection cause = OuterHull::cause;
-  static constexpr double rise_of_guess = OuterHull::rise_of_guess;
+  static constexpr double rise_of_estimate = OuterHull::rise_of_estimate;
 
   explicit EitherHull(bool is_outer) : is_outer_(is_outer) {}
 
-  auto operator()(const auto& cost, const auto& pair) const { return Guess{}(cost, pair); }
-  auto settle(const auto& cost, const auto& pair, const auto& star) const {
-    return by([&](const auto& hull) { return hull.settle(cost, pair, star); });
+  auto operator()(const auto& cost, const auto& pair) const { return Estimate{}(cost, pair); }
+  auto resolve(const auto& cost, const auto& pair, const auto& star) const {
+    return by([&](const auto& hull) { return hull.resolve(cost, pair, star); });
   }
   bool admits(const auto& pair, const auto& star, const Vector<3>& x) const {
     return by([&](const auto& hull) { return hull.admits(pair, star, x); });

@@ -61,7 +61,7 @@ inline const char* description(OptionKind kind) {
   refuse_value(option.name, given, description(option.kind));
 }
 
-[[noreturn]] inline void refuse_option(std::string_view name) {
+[[noreturn]] inline void reject_option(std::string_view name) {
   throw std::invalid_argument("there is no option " + std::string(name));
 }
 
@@ -91,7 +91,7 @@ void set_number(Options& options, std::string_view name, double value) {
     }
   });
   if (!is_known)
-    refuse_option(name);
+    reject_option(name);
 }
 
 /// Sets a choice by its word.
@@ -112,7 +112,7 @@ void set_word(Options& options, std::string_view name, std::string_view word) {
     }
   });
   if (!is_known)
-    refuse_option(name);
+    reject_option(name);
 }
 
 /// Sets an array: read(T{}) returns its values as a std::vector<T>, where T is double or bool.
@@ -133,7 +133,7 @@ void set_array(Options& options, std::string_view name, const Read& read) {
     }
   });
   if (!is_known)
-    refuse_option(name);
+    reject_option(name);
 }
 
 } // namespace quadrille::internal

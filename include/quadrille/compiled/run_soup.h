@@ -165,7 +165,7 @@ record_into_given(std::optional<SoupRecorder>& recorder) {
 inline auto named_of(const SoupOptions& options) {
   return parameters::chain<parameters::bounding_box_t>(bounding_box_of(options))
       .coordinates_are_floats(options.coordinates_are_floats)
-      .border_edges(std::span<const std::array<std::uint32_t, 2>>(options.borders))
+      .boundary_edges(std::span<const std::array<std::uint32_t, 2>>(options.boundaries))
       .vertex_is_shared_map(values_if_given(options.shared))
       .vertex_importance_map(values_if_given(options.importance))
       .vertex_tolerance_map(values_if_given(options.tolerance))
@@ -192,7 +192,7 @@ Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, c
   if constexpr (sizeof...(More) > 0)
     if (options.split_vertices)
       return simplify_soup(SplitVertices{}, named);
-  return simplify_soup(parameters::vertex_to_vertex_map(PointImages{&run.image}, named));
+  return simplify_soup(parameters::vertex_to_vertex_map(PointMap{&run.vertex_map}, named));
 }
 
 /// Simplifies with all attributes that a soup has or may have.
@@ -201,7 +201,7 @@ Report simplify_with_all(SoupRun& run, const Cost& cost, const Placement& placem
                          const Order& order) {
   std::optional<Labels<SoupLabelMap>> labels;
   if (!run.soup.labels.empty())
-    labels = Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight};
+    labels = Labels{SoupLabelMap{run.soup.labels}, run.options.region_boundary_weight};
   return simplify_by(run, cost, placement, order, labels,
                      SoupChannelList{run.soup.channels, &run.channels});
 }

@@ -24,14 +24,14 @@ namespace {
 
 using internal::SoupRun;
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void reject(const std::string& what) {
   throw std::invalid_argument("quadrille::simplified_soup: " + what);
 }
 
 // Requires one value for each element, if there are any values.
 void require_count(const char* name, std::size_t values, std::size_t count, const char* of_what) {
   if (values > 0 && values != count)
-    refuse(name + (" has " + std::to_string(values)) + " values for " + std::to_string(count) +
+    reject(name + (" has " + std::to_string(values)) + " values for " + std::to_string(count) +
            " " + of_what);
 }
 
@@ -39,7 +39,7 @@ void validate_call(const SoupView& soup, const SoupOptions& options) {
   require_count("fixed", options.fixed.size(), soup.points.size(), "points");
   require_count("tolerance", options.tolerance.size(), soup.points.size(), "points");
   if (!options.tolerance.empty() && (options.error || options.relative_error))
-    refuse("there are both an error and a tolerance of points: pass the smaller of both as "
+    reject("there are both an error and a tolerance of points: pass the smaller of both as "
            "tolerance");
   require_count("shared", options.shared.size(), soup.points.size(), "points");
   require_count("importance", options.importance.size(), soup.points.size(), "points");
@@ -49,13 +49,13 @@ void validate_call(const SoupView& soup, const SoupOptions& options) {
     internal::SoupChannelMap(soup.channels[i])
         .validate("channel " + std::to_string(i), soup.points.size(), soup.triangles.size());
   if (options.crease_degrees < 180 && options.cost != SoupOptions::Cost::quadric)
-    refuse("crease_degrees needs the cost quadric, the only one with creases");
+    reject("crease_degrees needs the cost quadric, the only one with creases");
   if ((options.weighting != Weighting::by_area || options.line_weight != 0 ||
        options.normal_noise != 0 || options.position_noise != 0) &&
       options.cost != SoupOptions::Cost::quadric)
-    refuse("weighting, line_weight, normal_noise and position_noise need the cost quadric");
+    reject("weighting, line_weight, normal_noise and position_noise need the cost quadric");
   if (options.threads > 1 && options.order != SoupOptions::Order::relaxed)
-    refuse("more than one thread needs the relaxed order");
+    reject("more than one thread needs the relaxed order");
 }
 
 Report simplify_by_cost_of_options(SoupRun& run) {
@@ -70,7 +70,7 @@ Report simplify_by_cost_of_options(SoupRun& run) {
   case Cost::edge_length:
     return internal::simplify_by_cost(run, EdgeLength{});
   }
-  refuse("there is no such cost");
+  reject("there is no such cost");
 }
 
 // Returns a channel of a soup without triangles, which is empty, or of a run that was cancelled
@@ -97,8 +97,8 @@ SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
               {},
               {}};
   if (!options.split_vertices) { // a run that is cancelled at once changes nothing
-    run.image.resize(soup.points.size());
-    std::iota(run.image.begin(), run.image.end(), std::size_t{0});
+    run.vertex_map.resize(soup.points.size());
+    std::iota(run.vertex_map.begin(), run.vertex_map.end(), std::size_t{0});
   }
   SoupResult result;
   result.report = simplify(run);
@@ -111,7 +111,7 @@ SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
   if (!soup.labels.empty())
     for (const std::uint32_t face : result.input_faces)
       result.labels.push_back(soup.labels[face]);
-  result.image = std::move(run.image);
+  result.vertex_map = std::move(run.vertex_map);
   return result;
 }
 
@@ -120,12 +120,12 @@ SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
 }
 
 Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options,
-                     std::vector<std::size_t>* image) {
+                     std::vector<std::size_t>* vertex_map) {
   SoupResult result = simplified_soup({points, triangles}, options);
   points = std::move(result.points);
   triangles = std::move(result.triangles);
-  if (image)
-    *image = std::move(result.image);
+  if (vertex_map)
+    *vertex_map = std::move(result.vertex_map);
   return result.report;
 }
 

@@ -54,10 +54,10 @@ public:
   explicit SoupChannels(SoupChannelMaps maps)
       : maps_(std::move(maps.maps)), results_(maps.results) {}
 
-  void read(std::size_t /*points*/, const Array<TriangleComplex::Triangle>& of_points,
-            Workspace& workspace, InputWithChannels& surface) {
+  void read(std::size_t /*points*/, const Array<TriangleComplex::Triangle>& of_points, Arena& arena,
+            InputWithChannels& surface) {
     for (SoupChannelMap& map : maps_) {
-      ChannelInput input = map.input(workspace);
+      ChannelInput input = map.input(arena);
       if (map.is_indexed())
         read_triples(map.channel().triangles, of_points.size(), map.value_count(), input);
       map.end_of_reading(input, of_points);

@@ -72,8 +72,8 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
           "does not contain colours, which linear_light needs");
 }
 
-ChannelInput SoupChannelMap::input(Workspace& workspace) const {
-  ChannelInput input(channel_.options, channel_.components, attribute_of(channel_.kind), workspace);
+ChannelInput SoupChannelMap::input(Arena& arena) const {
+  ChannelInput input(channel_.options, channel_.components, attribute_of(channel_.kind), arena);
   input.values.reserve(channel_.values.size());
   for (std::size_t i = 0; i < channel_.values.size(); ++i)
     input.values.push_back(counted(channel_.values[i], i % channel_.components));

@@ -29,7 +29,7 @@ public:
   void validate(const std::string& name, std::size_t points, std::size_t triangles) const;
 
   /// Returns the input of the channel, except for the corners.
-  ChannelInput input(Workspace& workspace) const;
+  ChannelInput input(Arena& arena) const;
   /// Keeps written values within the range of the faces' values.
   void end_of_reading(ChannelInput& input, const Array<TriangleComplex::Triangle>& triangles);
 

@@ -35,15 +35,15 @@ std::optional<SoupValues<Value>> values_if_given(const std::vector<Value>& value
 }
 
 /// The map from each point to the point that it has become.
-struct PointImages {
+struct PointMap {
   using key_type = std::size_t;
   using value_type = std::size_t;
   using reference = std::size_t;
   using category = boost::writable_property_map_tag;
-  std::vector<std::size_t>* image;
+  std::vector<std::size_t>* vertex_map;
 
-  friend void put(const PointImages& map, std::size_t i, std::size_t of_it) {
-    (*map.image)[i] = of_it;
+  friend void put(const PointMap& map, std::size_t i, std::size_t of_it) {
+    (*map.vertex_map)[i] = of_it;
   }
 };
 

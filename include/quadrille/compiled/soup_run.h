@@ -19,7 +19,7 @@ struct SoupRun {
   SoupPointArray points;
   SoupTriangleArray triangles;
   std::vector<SoupChannel> channels; ///< empty until they are rewritten
-  std::vector<std::size_t> image;
+  std::vector<std::size_t> vertex_map;
 
   /// Returns whether the soup has anything in addition to points and triangles.
   bool is_carrying() const {

@@ -26,9 +26,9 @@ class FaceRegions {
 public:
   explicit FaceRegions(const IndexedMesh& mesh) : regions_(mesh.triangles.size()) {
     if (!mesh.parts.of_faces.empty()) {
-      const std::vector<std::uint32_t> of_parts = mesh.parts.regions();
+      const std::vector<std::uint32_t> of_components = mesh.parts.regions();
       for (std::size_t face = 0; face < regions_.size(); ++face)
-        regions_[face] = of_parts[mesh.parts.of_faces[face]];
+        regions_[face] = of_components[mesh.parts.of_faces[face]];
     }
     std::vector<std::uint32_t> colors(regions_.size());
     for (const NamedNumbers& numbers : mesh.face_numbers)

@@ -66,10 +66,10 @@ public:
   }
 
   /// The channels are textures, normals, colours, numbers and the charts of seams of vertices, in
-  /// this order, as far as there are any. `image`, if there is one, becomes what SoupResult::image
-  /// is.
+  /// this order, as far as there are any. `image`, if there is one, becomes what
+  /// SoupResult::vertex_map is.
   quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices,
-                             std::vector<std::size_t>* image = nullptr) {
+                             std::vector<std::size_t>* vertex_map = nullptr) {
     const quadrille::SoupPoints points = soup_points(mesh_.points);
     const std::vector<Channel> channels = this->channels(choices);
     quadrille::SoupView soup{points, mesh_.triangles, labels_, {}};
@@ -81,15 +81,15 @@ public:
     mesh_.points = mesh_points(result.points);
     mesh_.triangles = std::move(result.triangles);
     if (patches_) {
-      restore_seams(patches_->nearest(mesh_, result.image, result.input_faces));
+      restore_seams(patches_->nearest(mesh_, result.vertex_map, result.input_faces));
     } else {
       mesh_.colors = colors_.of_points(mesh_);
       mesh_.texture_coordinates = textures_.of_points(mesh_);
-      numbers_.restore(mesh_, result.image);
+      numbers_.restore(mesh_, result.vertex_map);
     }
     take_faces(mesh_, result.input_faces);
-    if (image)
-      *image = std::move(result.image);
+    if (vertex_map)
+      *vertex_map = std::move(result.vertex_map);
     return result.report;
   }
 

@@ -118,7 +118,7 @@ private:
       return (has_colors && PlyColumns::is_one_of(name, {"red", "green", "blue", "alpha"})) ||
              (has_textures && PlyColumns::is_one_of(name, {"s", "t"}));
     });
-    tell_losses(element, "vertex", columns);
+    note_losses(element, "vertex", columns);
     items_.begin(element, column_count + soup_.vertex_numbers.size());
     std::vector<double>& row = items_.row();
     row[alpha] = opaque;
@@ -170,7 +170,7 @@ private:
   }
 
   /// Tells of the scalars without a column and of the lists but for those that are read.
-  void tell_losses(const PlyElement& element, const char* kind, const PlyColumns& columns,
+  void note_losses(const PlyElement& element, const char* kind, const PlyColumns& columns,
                    std::initializer_list<std::optional<std::size_t>> read_lists = {}) {
     for (std::size_t i = 0; i < element.properties.size(); ++i)
       if (!columns.of(i) && std::find(read_lists.begin(), read_lists.end(), i) == read_lists.end())
@@ -183,7 +183,7 @@ private:
     PlyColumns columns(element, 0);
     soup_.face_numbers =
         columns.assign_others([](const std::string& name) { return name == "vertex_indices"; });
-    tell_losses(element, "face", columns, {indices, textures});
+    note_losses(element, "face", columns, {indices, textures});
     items_.begin(element, soup_.face_numbers.size());
     if (textures)
       soup_.are_textures_double = element.properties[*textures].type.size == 8;
@@ -268,7 +268,7 @@ private:
   void read_strips(const PlyElement& element) {
     const std::size_t indices = find_indices(element);
     const PlyColumns columns(element, 0);
-    tell_losses(element, "strip", columns, {indices});
+    note_losses(element, "strip", columns, {indices});
     items_.begin(element, 0);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       items_.read(element, i, columns);

@@ -51,7 +51,7 @@ public:
   }
 
   /// The channels that an attribute belongs to, which are made if there are none.
-  std::vector<ChannelPart> parts_of(const GltfAttribute& attribute) {
+  std::vector<ChannelPart> components_of(const GltfAttribute& attribute) {
     using Kind = AttributeKind;
     if (attribute.kind == Kind::position || attribute.kind == Kind::skin || attribute.is_label)
       return {};

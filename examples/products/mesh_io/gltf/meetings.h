@@ -63,7 +63,7 @@ private:
   void collect() {
     std::size_t instance = 0;
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-      const std::vector<std::uint32_t> border = border_of(surfaces_[s]);
+      const std::vector<std::uint32_t> border = boundary_of(surfaces_[s]);
       for (const Transform& transform : placements_[s]->instances) {
         for (const std::uint32_t point : border) {
           const Vector local = surfaces_[s].place(point);
@@ -79,7 +79,7 @@ private:
   }
 
   /// The points of edges that one triangle has.
-  static std::vector<std::uint32_t> border_of(const GltfSurface& surface) {
+  static std::vector<std::uint32_t> boundary_of(const GltfSurface& surface) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& triangle : surface.triangles)
       for (std::size_t i = 0; i < 3; ++i)

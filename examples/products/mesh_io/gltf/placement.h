@@ -136,8 +136,8 @@ private:
         return elements && i < elements->size() ? (*elements)[i] : otherwise;
       };
       const Element move = at(translations, {}), scale = at(scales, {1, 1, 1});
-      instances[i] = Transform::of_parts({move[0], move[1], move[2]}, at(rotations, {0, 0, 0, 1}),
-                                         {scale[0], scale[1], scale[2]});
+      instances[i] = Transform::of_components(
+          {move[0], move[1], move[2]}, at(rotations, {0, 0, 0, 1}), {scale[0], scale[1], scale[2]});
     }
     return instances;
   }

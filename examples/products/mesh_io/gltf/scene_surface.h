@@ -158,7 +158,7 @@ private:
       rest.labels.push_back(surfaces_[s].labels()[result.input_faces[face] - first_faces_[s]]);
     }
     for (const std::uint32_t number : numbers_[s])
-      rest.image.push_back(local(result.image[number]));
+      rest.image.push_back(local(result.vertex_map[number]));
     rest.points = places_of(s, left, rest.image, result);
     return rest;
   }

@@ -160,7 +160,7 @@ private:
   std::vector<std::size_t> add_values(std::size_t number) {
     std::vector<std::size_t> first_values;
     for (const GltfAttribute& attribute : primitives_[number].attributes) {
-      parts_of_[number].push_back(channels_.parts_of(attribute));
+      parts_of_[number].push_back(channels_.components_of(attribute));
       for (const ChannelPart& part : parts_of_[number].back()) {
         first_values.resize(std::max(first_values.size(), part.channel + 1));
         first_values[part.channel] = channels_.add(attribute, part);

@@ -31,8 +31,8 @@ public:
   }
 
   /// Of a quaternion (x, y, z, w).
-  static Transform of_parts(const Vector& translation, const std::array<double, 4>& rotation,
-                            const Vector& scale) {
+  static Transform of_components(const Vector& translation, const std::array<double, 4>& rotation,
+                                 const Vector& scale) {
     const auto [x, y, z, w] = rotation;
     Transform result;
     result.columns_ = {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
@@ -49,7 +49,7 @@ public:
   static Transform turn(std::size_t axis, double radians, const Vector& point) {
     std::array<double, 4> rotation{0, 0, 0, std::cos(radians / 2)};
     rotation[axis] = std::sin(radians / 2);
-    Transform result = of_parts({}, rotation, {1, 1, 1});
+    Transform result = of_components({}, rotation, {1, 1, 1});
     const Vector moved = result(point);
     for (std::size_t i = 0; i < 3; ++i)
       result.columns_[3][i] = point[i] - moved[i];
@@ -57,7 +57,7 @@ public:
   }
 
   static Transform uniform(double scale) {
-    return of_parts({}, {0, 0, 0, 1}, {scale, scale, scale});
+    return of_components({}, {0, 0, 0, 1}, {scale, scale, scale});
   }
 
   Vector operator()(const Vector& point) const {
@@ -158,9 +158,9 @@ std::array<double, n> numbers_of(const Json& object, const char* key,
 inline Transform transform_of_node(const Json& node) {
   if (member(node, "matrix"))
     return Transform::of_matrix(numbers_of<16>(node, "matrix", {}));
-  return Transform::of_parts(numbers_of<3>(node, "translation", {}),
-                             numbers_of<4>(node, "rotation", {0, 0, 0, 1}),
-                             numbers_of<3>(node, "scale", {1, 1, 1}));
+  return Transform::of_components(numbers_of<3>(node, "translation", {}),
+                                  numbers_of<4>(node, "rotation", {0, 0, 0, 1}),
+                                  numbers_of<3>(node, "scale", {1, 1, 1}));
 }
 
 } // namespace quadrille_examples

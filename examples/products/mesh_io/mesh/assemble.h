@@ -90,7 +90,7 @@ private:
     if (mesh_.colors.empty())
       return;
     if (!soup_.is_color_unit_certain)
-      if (const auto guess = guess_unit(mesh_.colors, mesh_.color_type))
+      if (const auto guess = estimate_unit(mesh_.colors, mesh_.color_type))
         mesh_.remarks.push_back(*guess);
     const auto [not_numbers, out_of_range] = mend_colors(mesh_.colors, mesh_.color_type);
     remark(not_numbers, "colour values that are not numbers, replaced by 0");

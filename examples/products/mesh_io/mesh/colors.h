@@ -60,7 +60,7 @@ private:
 /// anything. Numbers of a floating-point type, or of a text with decimal points, are fractions;
 /// unless most of those that are not 0 are above 1. Whole numbers of a text are from 0 to 255;
 /// unless none is above 1.
-inline std::optional<std::string> guess_unit(const std::vector<Color>& colors, ColorType& type) {
+inline std::optional<std::string> estimate_unit(const std::vector<Color>& colors, ColorType& type) {
   const ColorNumbers numbers(colors);
   if (type.is_whole) {
     type.full = 255;

@@ -26,8 +26,8 @@ public:
   static std::vector<std::uint32_t> of(const std::vector<Point>& points,
                                        const Triangles& triangles) {
     SharedPlaces places(points);
-    places.find_border(triangles);
-    if (places.has_border_)
+    places.find_boundary(triangles);
+    if (places.has_boundary_)
       places.find();
     return std::move(places.places_);
   }
@@ -37,7 +37,7 @@ private:
 
   /// Around the other vertices the edges that faces enter and leave by are the same, and so are the
   /// sums of their scrambled ends.
-  void find_border(const Triangles& triangles) {
+  void find_boundary(const Triangles& triangles) {
     const auto scrambled = [](std::uint64_t v) {
       v = (v + 1) * 0x9E3779B97F4A7C15U;
       return v ^ (v >> 29);
@@ -49,8 +49,8 @@ private:
       sums[c] += scrambled(a) - scrambled(b);
     }
     for (const std::uint64_t sum : sums) {
-      is_border_.push_back(sum != 0);
-      has_border_ = has_border_ || sum != 0;
+      is_boundary_.push_back(sum != 0);
+      has_boundary_ = has_boundary_ || sum != 0;
     }
   }
 
@@ -64,15 +64,15 @@ private:
   /// The vertices that may be at the place of one of the border, in the order of places.
   std::vector<std::uint32_t> candidates() const {
     const auto count =
-        static_cast<std::size_t>(std::count(is_border_.begin(), is_border_.end(), true));
+        static_cast<std::size_t>(std::count(is_boundary_.begin(), is_boundary_.end(), true));
     const std::size_t size = std::bit_ceil(16 * count);
-    std::vector<bool> has_border(size);
+    std::vector<bool> has_boundary(size);
     for (std::size_t v = 0; v < points_.size(); ++v)
-      if (is_border_[v])
-        has_border[hash(points_[v]) % size] = true;
+      if (is_boundary_[v])
+        has_boundary[hash(points_[v]) % size] = true;
     std::vector<std::uint32_t> found;
     for (std::size_t v = 0; v < points_.size(); ++v)
-      if (is_border_[v] || has_border[hash(points_[v]) % size])
+      if (is_boundary_[v] || has_boundary[hash(points_[v]) % size])
         found.push_back(static_cast<std::uint32_t>(v));
     std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
       return points_[a] != points_[b] ? points_[a] < points_[b] : a < b;
@@ -86,7 +86,7 @@ private:
       const auto end = std::find_if(begin, order.end(),
                                     [&](std::uint32_t v) { return points_[v] != points_[*begin]; });
       if (end - begin > 1 &&
-          std::any_of(begin, end, [&](std::uint32_t v) { return is_border_[v]; })) {
+          std::any_of(begin, end, [&](std::uint32_t v) { return is_boundary_[v]; })) {
         places_.resize(points_.size(), none);
         std::for_each(begin, end, [&](std::uint32_t v) { places_[v] = *begin; });
       }
@@ -95,8 +95,8 @@ private:
   }
 
   const std::vector<Point>& points_;
-  std::vector<bool> is_border_;
-  bool has_border_ = false;
+  std::vector<bool> is_boundary_;
+  bool has_boundary_ = false;
   std::vector<std::uint32_t> places_;
 };
 

@@ -41,7 +41,7 @@ public:
     joining.find_sides();
     for (auto begin = joining.sides_.begin(); begin != joining.sides_.end();) {
       const auto end = std::find_if(begin, joining.sides_.end(),
-                                    [&](const Side& side) { return !begin->is_beside(side); });
+                                    [&](const Side& side) { return !begin->is_next_to(side); });
       joining.join_edges({begin, end});
       begin = end;
     }
@@ -57,7 +57,7 @@ private:
     std::uint32_t face, corner;            ///< of the face, where the edge begins
     bool runs_up;
 
-    bool is_beside(const Side& other) const { return low == other.low && high == other.high; }
+    bool is_next_to(const Side& other) const { return low == other.low && high == other.high; }
     auto key() const { return std::tie(low, high, low_vertex, high_vertex, face); }
   };
   using Sides = std::vector<Side>;

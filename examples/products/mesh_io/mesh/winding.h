@@ -6,7 +6,7 @@
 
 #include "indexed_mesh.h"
 
-#include <quadrille/internal/guards/distance/sheets_of_star.h>
+#include <quadrille/internal/guards/distance/fans_of_star.h>
 
 #include <algorithm>
 #include <array>
@@ -104,22 +104,22 @@ private:
   }
 
   void choose() {
-    struct Piece {
+    struct Chunk {
       std::array<std::size_t, 2> faces{}; // wound as its first face, or the other way
       bool is_one_sided = false;
     };
-    std::vector<Piece> pieces(pieces_.size()); // by its first face
+    std::vector<Chunk> pieces(pieces_.size()); // by its first face
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       const auto [first, is_turned] = pieces_.first_of(i);
       ++pieces[first].faces[is_turned];
     }
     for (const std::uint32_t face : contradictions_)
       pieces[pieces_.first_of(face).face].is_one_sided = true;
-    for (const Piece& piece : pieces)
+    for (const Chunk& piece : pieces)
       one_sided_ += piece.is_one_sided;
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       const auto [first, is_turned] = pieces_.first_of(i);
-      const Piece& piece = pieces[first];
+      const Chunk& piece = pieces[first];
       const bool is_fewer = piece.faces[1] > piece.faces[0] ? !is_turned : is_turned;
       is_against_.push_back(is_fewer && !piece.is_one_sided);
     }

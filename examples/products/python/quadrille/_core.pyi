@@ -30,7 +30,7 @@ class Order(enum.Enum):
 class Topology(enum.Enum):
     kept = ...
     free = ...
-    parts_may_vanish = ...
+    components_may_vanish = ...
 
 class Weighting(enum.Enum):
     by_area = ...
@@ -93,14 +93,14 @@ class Options:
     fixed: List[bool]
     importance: Sequence[float]
     selected: List[bool]
-    label_border_weight: float
+    region_boundary_weight: float
     split_vertices: bool
 
 class ChannelOptions:
     importance: float
     weights: Sequence[float]
     seams: Optional[Seams]
-    border_weight: float
+    chart_boundary_weight: float
     new_values: NewValues
     linear_light: bool
 
@@ -184,9 +184,9 @@ class Report:
     @property
     def components_after(self) -> int: ...
     @property
-    def vanished_parts(self) -> int: ...
+    def vanished_components(self) -> int: ...
     @property
-    def largest_vanished_part(self) -> float: ...
+    def largest_vanished_component(self) -> float: ...
     @property
     def non_manifold_edges(self) -> int: ...
     @property
@@ -287,7 +287,7 @@ class Claims:
     no_self_intersection: bool
     solid: bool
     normal_deviation: Optional[float]
-    images: List[int]
+    vertex_map: List[int]
 
 def surface_distance(
     a: Array, faces_a: Array, b: Array, faces_b: Array, samples: int, seed: int
@@ -308,7 +308,7 @@ def write_mesh(
     faces: Optional[Array],
 ) -> str: ...
 
-StageName = Literal["weld", "survey", "partition", "sample", "simplify", "regroup", "sew"]
+StageName = Literal["weld", "survey", "partition", "sample", "simplify", "regroup", "merge"]
 
 class FileEstimate:
     @property
@@ -330,9 +330,9 @@ class FileStatus:
     @property
     def phases(self) -> int: ...
     @property
-    def parts(self) -> int: ...
+    def chunks(self) -> int: ...
     @property
-    def parts_done(self) -> int: ...
+    def chunks_done(self) -> int: ...
     @property
     def faces(self) -> int: ...
     @property
@@ -343,9 +343,9 @@ class FileStatus:
 class OutOfCore:
     scratch: str
     memory: int
-    parts_in_flight: int
+    chunks_in_flight: int
     restart: bool
-    part_faces: int
+    chunk_faces: int
     attribute_importance: float
     keeps_tiles: bool
     locks_boundary: bool

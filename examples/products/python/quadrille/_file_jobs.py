@@ -46,7 +46,7 @@ class FileOptions(TypedDict, total=False):
     weld: bool
     memory: Union[int, str]
     threads: int
-    part_faces: int
+    chunk_faces: int
     restart: bool
 
 
@@ -57,7 +57,7 @@ class SimplifiedFile:
     output: str  #: the file, or the folder of tiles
     report: _core.Report  #: as of any simplification, but without figures on the topology
     phases: int  #: the number of phases
-    parts: int  #: the number of chunks of the first phase
+    chunks: int  #: the number of chunks of the first phase
     faces_of_phases: List[int]  #: the number of faces after each phase
     is_count_exact: bool  #: whether the target was met exactly, or as closely as faces allow
     bytes_read: int
@@ -77,7 +77,7 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
           boundary_weight: float = 100.0, lock_boundary: bool = False,
           attribute_importance: Optional[float] = None, positions_only: bool = False, keep_tiles: bool = False,
           weld: bool = False,
-          memory: Union[int, str] = 4_000_000_000, threads: int = 0, part_faces: int = 0, restart: bool = False,
+          memory: Union[int, str] = 4_000_000_000, threads: int = 0, chunk_faces: int = 0, restart: bool = False,
           scratch: Path) -> Tuple[_core.Options, _core.OutOfCore]:
     if faces is not None and (ratio is not None or target_reduction is not None):
         raise ValueError("faces does not go with a fraction of the faces: both are targets")
@@ -97,8 +97,8 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
     how = _core.OutOfCore()
     how.scratch = os.fspath(scratch)
     how.memory = read_bytes("memory", memory)
-    how.parts_in_flight = read_count("threads", threads)
-    how.part_faces = read_count("part_faces", part_faces)
+    how.chunks_in_flight = read_count("threads", threads)
+    how.chunk_faces = read_count("chunk_faces", chunk_faces)
     how.tolerance = tolerance or ""
     how.restart, how.positions_only = bool(restart), bool(positions_only)
     how.keeps_tiles, how.locks_boundary, how.welds = bool(keep_tiles), bool(lock_boundary), bool(weld)
@@ -121,7 +121,7 @@ class FileJob:
             while parts > 0:
                 pool.map(job.simplify, range(parts))
                 parts = job.close()
-        result = job.sew("out.ply")
+        result = job.merge("out.ply")
 
     The arguments are those of simplify_file(), which runs all of these steps. A pickled job contains its arguments
     except progress=; in another process, simplify() works on the current phase. partition(), close() and sew()
@@ -197,7 +197,7 @@ def simplify_file(source: Paths, target: Path, /, *, scratch: Path, progress: Op
     memory    the most memory that the process should use, in bytes or as '4G', '500MB', '4GiB'; the result depends on it
     threads   the number of chunks at a time; 0: one for each processor, as far as memory allows
     restart   resume the interrupted job in the scratch folder
-    part_faces  the approximate number of faces of a chunk; 0: as memory allows
+    chunk_faces  the approximate number of faces of a chunk; 0: as memory allows
     progress  called at each stage, and up to 25 times a second, with a FileStatus, which contains an estimate of time,
               memory and disk space; returning False or raising ends the run, and finished work stays in the scratch
               folder for restart

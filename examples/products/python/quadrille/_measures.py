@@ -40,7 +40,7 @@ class Finding(NamedTuple):
     promised  the promised value: a distance in the unit of the points, degrees, or a count
     measured  the measured value
     error     the largest possible error of the measurement
-    is_held   whether the claim is held: always if it is true, and never if the true value exceeds it by more
+    is_met   whether the claim is held: always if it is true, and never if the true value exceeds it by more
               than the error
     place     where the claim is broken: one of the farthest points, a point of a face that intersects another
               one, or of a component that has changed; None if the claim is held, or has no such place
@@ -49,7 +49,7 @@ class Finding(NamedTuple):
     promised: float
     measured: float
     error: float
-    is_held: bool
+    is_met: bool
     place: Optional[Tuple[float, float, float]] = None
 
 
@@ -65,10 +65,10 @@ class Verdict:
         self.is_cancelled = is_cancelled
 
     def __bool__(self) -> bool:
-        return not self.is_cancelled and all(finding.is_held for finding in self.findings)
+        return not self.is_cancelled and all(finding.is_met for finding in self.findings)
 
     def __repr__(self) -> str:
-        lines = [f"{f.claim}: {f.promised:g} promised, {f.measured:g} measured{'' if f.is_held else ', BROKEN'}"
+        lines = [f"{f.claim}: {f.promised:g} promised, {f.measured:g} measured{'' if f.is_met else ', BROKEN'}"
                  + (" near ({:g}, {:g}, {:g})".format(*f.place) if f.place else "")
                  for f in self.findings] + ["cancelled before everything was measured"] * self.is_cancelled
         return f"Verdict({'; '.join(lines)})"
@@ -97,7 +97,7 @@ def surface_distance(a: Surface, b: Surface, *, samples: int = 100_000, seed: in
 def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
            distance_both_ways: Optional[float] = None, tolerance: Optional[ArrayLike] = None,
            no_self_intersection: bool = False, solid: bool = False,
-           normal_deviation: Optional[float] = None, image: Optional[ArrayLike] = None,
+           normal_deviation: Optional[float] = None, vertex_map: Optional[ArrayLike] = None,
            progress: Optional[Callable[[float], Optional[bool]]] = None) -> Verdict:
     """Checks whether a result keeps its promises, with code that is independent of simplify(): distances by branch
     and bound over faces, intersections by exact tests, solids component by component.
@@ -116,9 +116,9 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
                           of the mesh corresponds to one of the result with as many handles, its inside on the
                           same side, not flat, and inside the same other components
     normal_deviation      no normal deviates by more degrees than this from that of any face that it replaces:
-                          report.normal_bound_degrees. Needs image
-    image                 for each point of the mesh, the index of the point of the result that replaces it, or
-                          -1; the default is the image of a result of simplify()
+                          report.normal_bound_degrees. Needs vertex_map
+    vertex_map                 for each point of the mesh, the index of the point of the result that replaces it, or
+                          -1; the default is the vertex_map of a result of simplify()
     progress              called up to 25 times a second with the completed fraction, from 0 to 1; returning
                           False ends the check (see Verdict.is_cancelled), as Ctrl-C does
 
@@ -135,7 +135,7 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
     claims.no_self_intersection, claims.solid = bool(no_self_intersection), bool(solid)
     if normal_deviation is not None:
         claims.normal_deviation = read_number("normal_deviation", normal_deviation)
-        claims.images = _images(getattr(result, "image", None) if image is None else image,
+        claims.vertex_map = _images(getattr(result, "vertex_map", None) if vertex_map is None else vertex_map,
                                 len(points), len(new_points))
     rows, is_cancelled = _core.verify(points, faces, new_points, new_faces, claims, function_of("progress", progress))
     return Verdict([Finding(*row[:5], None if row[4] or row[5] is None else tuple(row[5])) for row in rows],
@@ -156,10 +156,10 @@ def _count(name: str, number: Any) -> int:
 
 def _images(given: Any, count: int, new_count: int) -> List[int]:
     if given is None:
-        raise ValueError("normal_deviation needs image=, the point of the result for each point of the mesh")
-    image: Array = np.asarray(given)
-    if image.shape != (count,) or image.dtype.kind not in "iu":
-        raise ValueError(f"image has the shape {image.shape} and the type {image.dtype}, not ({count},) of integers")
-    if count > 0 and not (-1 <= int(image.min()) and int(image.max()) < new_count):
-        raise ValueError(f"image has numbers from {image.min()} to {image.max()}, but there are {new_count} points")
-    return np.where(image < 0, np.iinfo(np.uint64).max, image.astype(np.uint64)).tolist()
+        raise ValueError("normal_deviation needs vertex_map=, the point of the result for each point of the mesh")
+    vertex_map: Array = np.asarray(given)
+    if vertex_map.shape != (count,) or vertex_map.dtype.kind not in "iu":
+        raise ValueError(f"vertex_map has the shape {vertex_map.shape} and the type {vertex_map.dtype}, not ({count},) of integers")
+    if count > 0 and not (-1 <= int(vertex_map.min()) and int(vertex_map.max()) < new_count):
+        raise ValueError(f"vertex_map has numbers from {vertex_map.min()} to {vertex_map.max()}, but there are {new_count} points")
+    return np.where(vertex_map < 0, np.iinfo(np.uint64).max, vertex_map.astype(np.uint64)).tolist()

@@ -37,7 +37,7 @@ class Channel:
                   for what becomes visible beside a chart; the default for uv), 'priced' (they may vanish,
                   at the cost of the jump; the default for others) or 'free' (the values around a
                   point are merged at the beginning)
-    border_weight how firmly the boundaries of charts are kept where texture seams are kept or soft; by
+    chart_boundary_weight how firmly the boundaries of charts are kept where texture seams are kept or soft; by
                   default 10, or between 0.1 and 1: larger if fewer edges are seams
     new_values    'optimal' (the least cost), 'weights' (the least cost, with values of at least 0 and of
                   sum 1, as for a skin), 'existing' (one of the merged values, as for classes; not for
@@ -52,7 +52,7 @@ class Channel:
     importance: float = 1.0
     weights: Optional[Sequence[float]] = None
     seams: Optional[SeamsName] = None
-    border_weight: Optional[float] = None
+    chart_boundary_weight: Optional[float] = None
     new_values: NewValuesName = "optimal"
     linear_light: bool = False
     kind: Optional[KindName] = None
@@ -132,13 +132,13 @@ class Simplified(Mesh):
     """The Mesh that simplify() returns.
 
     report       a Report: what was done, why it stopped, how far the result may be from the input
-    image        for each point of the input, the index of the point of the result that replaces it, or -1 if
+    vertex_map        for each point of the input, the index of the point of the result that replaces it, or -1 if
                  it was removed; None with split_vertices
     input_faces  for each face, the index of the corresponding face of the input
     """
 
     report: _core.Report = None  # type: ignore[assignment] # simplify() gives it
-    image: Optional[Array] = None
+    vertex_map: Optional[Array] = None
     input_faces: Array = None  # type: ignore[assignment] # the same
 
 
@@ -175,8 +175,8 @@ class ReadChannel:
         options.weights = [float(weight) for weight in (() if channel.weights is None else channel.weights)]
         if channel.seams is not None:
             options.seams = choice(f"the seams of {self.name}", channel.seams, _core.Seams.__members__)
-        if channel.border_weight is not None:
-            options.border_weight = float(channel.border_weight)
+        if channel.chart_boundary_weight is not None:
+            options.chart_boundary_weight = float(channel.chart_boundary_weight)
         options.new_values = choice(f"new_values of {self.name}", channel.new_values, _core.NewValues.__members__)
         options.linear_light = bool(channel.linear_light)
         return (self.kind, self.values, self.indices, options)

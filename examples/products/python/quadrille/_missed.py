@@ -53,8 +53,8 @@ def _hints(report: _core.Report, options: _core.Options, points: Optional[Array]
                      "split_vertices=True treats such points as one")
     elif report.components_after > 1 and not is_free:
         ways = ["pairs_closer_than= joins components"]
-        if options.topology != _core.Topology.parts_may_vanish:
-            ways.insert(0, "topology='parts_may_vanish' removes small ones")
+        if options.topology != _core.Topology.components_may_vanish:
+            ways.insert(0, "topology='components_may_vanish' removes small ones")
         hints.append(f"{report.components_after} components are left, and each keeps some faces: {', '.join(ways)}")
     elif report.rejections.get("topology", 0) > 0 and not is_free:
         hints.append("the topology is kept: topology='free' lets holes close and thin features collapse")

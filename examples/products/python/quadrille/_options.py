@@ -91,13 +91,13 @@ def read_count(name: str, value: Any) -> int:
     try:
         number = operator.index(value)
     except TypeError:
-        raise ValueError(f"{name} is {value!r}, not an integer{_of_parts(name, value)}") from None
+        raise ValueError(f"{name} is {value!r}, not an integer{_of_chunks(name, value)}") from None
     if number < 0 or number >= 2**32:
         raise ValueError(f"{name} is {number}, not in [0, 2**32)")
     return number
 
 
-def _of_parts(name: str, value: Any) -> str:
+def _of_chunks(name: str, value: Any) -> str:
     is_part = name == "faces" and isinstance(value, float) and 0 < value < 1
     return f": for a fraction of the faces, pass ratio={value!r}" if is_part else ""
 

@@ -58,7 +58,7 @@ def simplify(
     selected: Optional[ArrayLike] = None,
     importance: Optional[ArrayLike] = None,
     labels: Optional[ArrayLike] = None,
-    label_border_weight: float = 1.0,
+    region_boundary_weight: float = 1.0,
     uv: Optional[Values] = None,
     normals: Optional[Values] = None,
     colors: Optional[Values] = None,
@@ -128,7 +128,7 @@ def simplify(
                      better triangles at a slightly larger distance, 0.01 much better ones at a larger one
     normal_noise     the standard deviation of unit normals, at least 0; 0.1 is about 6 degrees
     position_noise   the standard deviation of points, in their unit
-    topology         'kept' (the default), 'free' (components join, holes close) or 'parts_may_vanish' (small
+    topology         'kept' (the default), 'free' (components join, holes close) or 'components_may_vanish' (small
                      components may be removed)
     pairs_closer_than  points closer than this may be joined without an edge, in the unit of the points;
                      the topology then defaults to 'free'
@@ -152,7 +152,7 @@ def simplify(
     Attributes. These arrays replace those of a Mesh; see Mesh and Channel for shapes and forms:
 
     labels           an integer for each triangle: regions of equal labels stay, with their boundaries
-    label_border_weight  how firmly these boundaries keep their shape, at least 0
+    region_boundary_weight  how firmly these boundaries keep their shape, at least 0
     uv, normals, colors, attributes  values at points, or (values, indices) at corners; attributes is a
                      dict of them or, for a mesh of another library, a list of names of its point data
                      (vertex attributes in trimesh), where bytes in three or four columns are colours
@@ -166,7 +166,7 @@ def simplify(
                      returning False ends the run with the current result, raising ends it without one
 
     Returns a Simplified: points, faces and all attributes of the input, in the same forms and types;
-    report, image and input_faces describe the run. result.report.is_target_reached says whether the target was
+    report, vertex_map and input_faces describe the run. result.report.is_target_reached says whether the target was
     met; if not, a UserWarning gives the reason and what helps.
 
     Contiguous arrays of float64 and uint32 (or int32) are read in place, others are copied. Do not write to them
@@ -202,7 +202,7 @@ def simplify(
         raise ValueError("target_reduction and tolerance do not go together")
     if tolerance is not None:
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
-    options.label_border_weight = read_number("label_border_weight", label_border_weight)
+    options.region_boundary_weight = read_number("region_boundary_weight", region_boundary_weight)
     options.split_vertices = bool(split_vertices) or mesh._is_split
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
@@ -300,7 +300,7 @@ def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], or
         _arrays.as_type(arrays["points"], _float_type(mesh.points)),
         _arrays.as_type(arrays["faces"], _index_type(mesh.faces)),
         labels=None if labels is None else labels[arrays["labels"]].astype(label_type, copy=False),
-        report=arrays["report"], image=None if options.split_vertices else arrays["image"],
+        report=arrays["report"], vertex_map=None if options.split_vertices else arrays["vertex_map"],
         input_faces=arrays["input_faces"], remarks=remarks)
     set_channels(result, {channel.name: channel.result(*values)
                           for channel, values in zip(channels, arrays["channels"])})

@@ -24,7 +24,7 @@ class _Rule(NamedTuple):
 # The first rule with a piece that the name has, and an argument that the function has, answers.
 _RULES = (
     _Rule(("return", "mapping", "collapses", "vertexmap"), ("fixed",),
-          "the result has these maps: result.image for points and result.input_faces for faces"),
+          "the result has these maps: result.vertex_map for points and result.input_faces for faces"),
     _Rule(("iteration", "aggress", "agg", "updaterate", "alpha", "lossless", "threshold", "sharpness"), ("error",),
           "there is no such option: the cheapest pair is always contracted first, until a target is met; error= limits "
           "the distance"),
@@ -44,7 +44,7 @@ _RULES = (
     _Rule(("selec", "region", "onlyfaces", "facemask"), ("selected",), "selected= takes the triangles to simplify"),
     _Rule(("volume",), ("keep_volume",), "keep_volume=True keeps the enclosed volume"),
     _Rule(("topology", "manifold", "genus"), ("topology",),
-          "topology= is 'kept' by default; 'free' and 'parts_may_vanish' let it change"),
+          "topology= is 'kept' by default; 'free' and 'components_may_vanish' let it change"),
     _Rule(("verbose", "progress", "callback", "quiet", "log", "tqdm"), ("progress",),
           "progress= takes a function that receives the progress; progress=print shows it"),
     _Rule(("inplace", "copy", "overwrite"), ("fixed",),
@@ -166,11 +166,11 @@ _NAMES: List[Tuple[str, str]] = [
     (r"quadrille::(?:DistanceLimit|HausdorffLimit): the limit", "error or relative_error: the limit"),
     (r"quadrille::NormalDeviation", "normal_deviation"),
     (r"quadrille::NormalFlip", "normal_flip"),
-    (r"quadrille::Labels: border_weight", "label_border_weight"),
+    (r"quadrille::Labels: region_boundary_weight", "region_boundary_weight"),
     (r"quadrille::Levels: distances have not been recorded: .*",
      "no distances are recorded: simplify() records them with error= or relative_error="),
-    (r"pass no Topology::free or (?:Topology::)?parts_may_vanish",
-     "it does not go with topology='free' or 'parts_may_vanish'"),
+    (r"pass no Topology::free or (?:Topology::)?components_may_vanish",
+     "it does not go with topology='free' or 'components_may_vanish'"),
     (r"the order of RelaxedOrder|RelaxedOrder", "order='relaxed'"),
     (r"GreedyOrder", "order='greedy'"),
     (r"NewValues::(\w+)", r"new_values='\1'"),

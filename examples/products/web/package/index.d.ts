@@ -21,7 +21,7 @@ export interface Attribute<V extends Reals = Reals> {
   /** Whether edges at which values differ may vanish. Default: `"soft"` for a texture, `"priced"` for others. */
   seams?: "kept" | "soft" | "priced" | "free";
   /** How firmly the boundaries of texture charts are kept; at least 0. */
-  borderWeight?: number;
+  chartBoundaryWeight?: number;
   /** How new values are computed. Default: `"optimal"`. */
   newValues?: "optimal" | "weights" | "existing" | "recomputed";
   /** For colors in [0, 1]: average them as linear light. */
@@ -70,7 +70,7 @@ export interface Options {
   /** The cheapest pair first, or in passes. Default: `"greedy"`. */
   order?: "greedy" | "relaxed";
   /** `"kept"` by default, `"free"` with pairsCloserThan. */
-  topology?: "kept" | "free" | "parts_may_vanish";
+  topology?: "kept"|"free"|"components_may_vanish";
   /** Points closer than this may be joined without an edge; 0 (default): only edges are contracted. */
   pairsCloserThan?: number;
   /** How firmly boundaries are kept, at least 0; default 100. */
@@ -102,7 +102,7 @@ export interface Options {
   /** The importance of each point, at least 0: for 8 times the number, about twice as many triangles stay. */
   importance?: Reals;
   /** How firmly boundaries of labels keep their shape; default 1. */
-  labelBorderWeight?: number;
+  regionBoundaryWeight?: number;
   /** Points at exactly one place are one point, as in meshes that are split at seams (glTF, three.js); the result is
    *  split again. */
   splitVertices?: boolean;
@@ -141,9 +141,9 @@ export interface Report {
   contractions: number;
   componentsBefore: number;
   componentsAfter: number;
-  vanishedParts: number;
+  vanishedComponents: number;
   /** The diagonal of the bounding box of the largest removed component. */
-  largestVanishedPart: number;
+  largestVanishedComponent: number;
   nonManifoldEdges: number;
   nonManifoldVertices: number;
   doubledFaces: number;
@@ -188,7 +188,7 @@ export interface Simplified<P extends Reals = Reals, I extends Integers = Intege
   /** For each triangle, the index of its triangle in the input. */
   inputFaces: Uint32Array;
   /** For each point of the input, the index of the point that replaces it; -1 if it was removed. Absent with splitVertices. */
-  image?: Int32Array;
+  vertexMap?: Int32Array;
   report: Report;
 }
 

@@ -58,6 +58,7 @@ function resultOf(call, input, { splitVertices }, report) {
     report,
   };
   if (input.labels) result.labels = integersLike(input.labels, call.integers("labels"), Infinity);
-  if (!splitVertices) result.image = new Int32Array(call.integers("image")); // what has vanished is -1
+  if (!splitVertices)
+    result.vertexMap = new Int32Array(call.integers("vertex_map")); // what has vanished is -1
   return result;
 }

@@ -6,7 +6,16 @@ import { requireKeys } from "./options.js";
 const componentsOfKind = { texture: 2, normals: 3 };
 const keysOfMesh = ["positions", "indices", "labels", "attributes"];
 const keysOfAttribute = [
-  "kind", "components", "values", "indices", "importance", "weights", "seams", "borderWeight", "newValues", "linearLight",
+  "kind",
+  "components",
+  "values",
+  "indices",
+  "importance",
+  "weights",
+  "seams",
+  "chartBoundaryWeight",
+  "newValues",
+  "linearLight",
 ];
 
 /** Looks at all arrays of a mesh; throws an error that names what is wrong. */
@@ -47,7 +56,8 @@ function requireCorners(name, indices, corners) {
   requireUnsigned(name, requireLength(name, requireIntegers(name, indices), corners, "corners of triangles"));
 }
 
-function optionsOf(name, { importance, weights, seams, borderWeight, newValues, linearLight }, components) {
+function optionsOf(name, {importance, weights, seams, chartBoundaryWeight, newValues, linearLight},
+                   components) {
   const numbers = [];
   const add = (option, value) => {
     if (value === undefined || value === null) return;
@@ -55,7 +65,7 @@ function optionsOf(name, { importance, weights, seams, borderWeight, newValues, 
     numbers.push([option, value]);
   };
   add("importance", importance);
-  add("borderWeight", borderWeight);
+  add("chartBoundaryWeight", chartBoundaryWeight);
   if (weights) requireLength(`${name}.weights`, Array.from(weights), components, "components").forEach((weight) => add("weights", weight));
   if (linearLight) numbers.push(["linearLight", 1]);
   const choices = Object.entries({ seams, newValues }).filter(([, value]) => value !== undefined && value !== null);

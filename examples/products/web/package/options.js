@@ -5,8 +5,21 @@ import { Levels } from "./levels.js";
 
 const counts = ["faces", "vertices"];
 const numbers = [
-  "ratio", "error", "relativeError", "costLimit", "boundaryWeight", "creaseWeight", "creaseDegrees", "lineWeight",
-  "normalNoise", "positionNoise", "pairsCloserThan", "normalFlip", "normalDeviation", "labelBorderWeight", "share",
+  "ratio",
+  "error",
+  "relativeError",
+  "costLimit",
+  "boundaryWeight",
+  "creaseWeight",
+  "creaseDegrees",
+  "lineWeight",
+  "normalNoise",
+  "positionNoise",
+  "pairsCloserThan",
+  "normalFlip",
+  "normalDeviation",
+  "regionBoundaryWeight",
+  "share",
 ];
 const booleans = ["bothWays", "noSelfIntersection", "keepSolid", "splitVertices", "refresh"];
 const choices = ["cost", "placement", "order", "topology", "weighting"];

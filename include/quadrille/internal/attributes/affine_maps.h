@@ -48,7 +48,7 @@ using Matrix2 = std::array<double, 3>;
 /// attributes together, 0 elsewhere.
 struct WedgeMap {
   double weight = 0;
-  Matrix2 border{};
+  Matrix2 boundary{};
   boost::container::small_vector<AffineMap, 4> maps;
 
   void move_origin(const Vector<3>& d) {
@@ -77,66 +77,72 @@ public:
   const std::vector<double>& squared_weights() const { return squared_weights_; }
 
   /// Adds what the two disagree about, and makes the first the map of both. `second` is seen at
-  /// `way` from its own origin.
-  void join(WedgeMap& first, const WedgeMap& second, const Vector<3>& way,
+  /// `displacement` from its own origin.
+  void join(WedgeMap& first, const WedgeMap& second, const Vector<3>& displacement,
             QuadricForm<3>& form) const {
-    const bool has_border = is_border(first) || is_border(second);
-    if (has_border && first.maps.size() == 2)
-      join_borders(first, second, way, form);
+    const bool has_boundary = is_boundary(first) || is_boundary(second);
+    if (has_boundary && first.maps.size() == 2)
+      join_boundaries(first, second, displacement, form);
     else
-      join_weights(first, second, way, form);
+      join_weights(first, second, displacement, form);
   }
 
   /// Adds what two maps disagree about.
   QUADRILLE_ALWAYS_INLINE void add_difference(double w1, const AffineMap* first, double w2,
-                                              const AffineMap* second, const Vector<3>& way,
+                                              const AffineMap* second,
+                                              const Vector<3>& displacement,
                                               QuadricForm<3>& form) const {
     const double sum = w1 + w2;
     const double weight = sum > 0 ? w1 * w2 / sum : 0;
     for (std::size_t c = 0; c < squared_weights_.size(); ++c)
-      form += squared_plane(second[c].gradient - first[c].gradient,
-                            second[c].at(way) - first[c].value, weight * squared_weights_[c]);
+      form +=
+          squared_plane(second[c].gradient - first[c].gradient,
+                        second[c].at(displacement) - first[c].value, weight * squared_weights_[c]);
   }
 
   /// Adds what it costs that the wedge has other values than its map at its origin.
-  void hold(const WedgeMap& wedge, const double* values, QuadricForm<3>& form) const {
+  void constrain(const WedgeMap& wedge, const double* values, QuadricForm<3>& form) const {
     double cost = 0;
     for (std::size_t c = 0; c < squared_weights_.size(); ++c) {
       const double off = values[c] - wedge.maps[c].value;
       cost += wedge.weight * squared_weights_[c] * off * off;
     }
-    if (is_border(wedge) && wedge.maps.size() == 2) {
+    if (is_boundary(wedge) && wedge.maps.size() == 2) {
       const double u = values[0] - wedge.maps[0].value, v = values[1] - wedge.maps[1].value;
-      cost += wedge.border[0] * u * u + 2 * wedge.border[1] * u * v + wedge.border[2] * v * v;
+      cost += wedge.boundary[0] * u * u + 2 * wedge.boundary[1] * u * v + wedge.boundary[2] * v * v;
     }
     form += QuadricForm<3>({}, {}, cost);
   }
 
-  static bool is_border(const WedgeMap& wedge) { return wedge.border[0] + wedge.border[2] > 0; }
+  static bool is_boundary(const WedgeMap& wedge) {
+    return wedge.boundary[0] + wedge.boundary[2] > 0;
+  }
 
 private:
-  void join_weights(WedgeMap& first, const WedgeMap& second, const Vector<3>& way,
+  void join_weights(WedgeMap& first, const WedgeMap& second, const Vector<3>& displacement,
                     QuadricForm<3>& form) const {
-    add_difference(first.weight, first.maps.data(), second.weight, second.maps.data(), way, form);
+    add_difference(first.weight, first.maps.data(), second.weight, second.maps.data(), displacement,
+                   form);
     const double sum = first.weight + second.weight;
-    const double part = sum > 0 ? second.weight / sum : 0;
+    const double fraction = sum > 0 ? second.weight / sum : 0;
     for (std::size_t c = 0; c < first.maps.size(); ++c) {
       AffineMap& map = first.maps[c];
-      map.value += part * (second.maps[c].at(way) - map.value); // equal values stay what they are
-      map.gradient += part * (second.maps[c].gradient - map.gradient);
+      map.value += fraction *
+                   (second.maps[c].at(displacement) - map.value); // equal values stay what they are
+      map.gradient += fraction * (second.maps[c].gradient - map.gradient);
     }
     first.weight = sum;
   }
 
   // With matrices W₁ and W₂ for weights: T = (W₁ + W₂)⁻¹ W₂ takes the first map towards the second,
   // and the difference costs W₁ T.
-  void join_borders(WedgeMap& first, const WedgeMap& second, const Vector<3>& way,
-                    QuadricForm<3>& form) const {
+  void join_boundaries(WedgeMap& first, const WedgeMap& second, const Vector<3>& displacement,
+                       QuadricForm<3>& form) const {
     const Matrix2 w1 = matrix(first), w2 = matrix(second);
     const Matrix2 sum{w1[0] + w2[0], w1[1] + w2[1], w1[2] + w2[2]};
     const double determinant = sum[0] * sum[2] - sum[1] * sum[1];
     if (!(determinant > 1e-14 * sum[0] * sum[2])) {
-      join_weights(first, second, way, form);
+      join_weights(first, second, displacement, form);
     } else {
       // T = adj(W₁ + W₂) W₂ / det
       const std::array<double, 4> t{(sum[2] * w2[0] - sum[1] * w2[1]) / determinant,
@@ -146,7 +152,7 @@ private:
       std::array<AffineMap, 2> off;
       for (std::size_t c = 0; c < 2; ++c)
         off[c] = {second.maps[c].gradient - first.maps[c].gradient,
-                  second.maps[c].at(way) - first.maps[c].value};
+                  second.maps[c].at(displacement) - first.maps[c].value};
       add_parallel(w1, t, off, form);
       for (std::size_t c = 0; c < 2; ++c) {
         first.maps[c].gradient += t[2 * c] * off[0].gradient + t[2 * c + 1] * off[1].gradient;
@@ -155,7 +161,7 @@ private:
       first.weight += second.weight;
     }
     for (std::size_t i = 0; i < 3; ++i)
-      first.border[i] += second.border[i];
+      first.boundary[i] += second.boundary[i];
   }
 
   // The form offᵀ W₁T off as two squares: W₁T is symmetric and positive semidefinite.
@@ -175,8 +181,8 @@ private:
   }
 
   Matrix2 matrix(const WedgeMap& wedge) const {
-    return {wedge.weight * squared_weights_[0] + wedge.border[0], wedge.border[1],
-            wedge.weight * squared_weights_[1] + wedge.border[2]};
+    return {wedge.weight * squared_weights_[0] + wedge.boundary[0], wedge.boundary[1],
+            wedge.weight * squared_weights_[1] + wedge.boundary[2]};
   }
 
   std::vector<double> squared_weights_;

@@ -68,11 +68,11 @@ public:
   Channel(const ChannelInput& input, const Numbering& numbering, const TriangleComplex& complex,
           ChannelWeights weights, bool are_pairs_edges)
       : seams_(input.seams), new_values_(input.new_values), is_texture_(input.is_texture()),
-        border_weight_(input.border_weight),
+        boundary_weight_(input.chart_boundary_weight),
         are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
         factors_(std::move(weights.factors)), as_written_(input.as_written),
-        table_(complex.workspace()), joiner_(std::move(weights.squared)),
-        records_(input.components, complex.workspace()) {
+        table_(complex.arena()), joiner_(std::move(weights.squared)),
+        records_(input.components, complex.arena()) {
     const ChannelReader reader(input, numbering, complex);
     if (has_one_a_vertex(input))
       reader.read_vertices(records_);
@@ -113,10 +113,11 @@ public:
            wedge(complex, face, w) != wedge(complex, other, w);
   }
   /// Does the texture of two faces at the edge vw lie on one side of it, so that it is folded?
-  bool has_fold(const TriangleComplex& complex, Index face, Index other, Index v, Index w) const {
+  bool has_texture_fold(const TriangleComplex& complex, Index face, Index other, Index v,
+                        Index w) const {
     if (!is_texture_)
       return false;
-    const auto side = [&](Index f) { // to the left of the way from v to w, if positive
+    const auto side = [&](Index f) { // to the left of the edge from v to w, if positive
       const auto& [p, q, r] = complex.vertices(f);
       const double area = doubled_area(records_.texture_at(table_.at(f, 0, p)),
                                        records_.texture_at(table_.at(f, 1, q)),
@@ -154,34 +155,36 @@ public:
   /// Does a chart end between two faces at the edge vw, or is it folded there?
   bool ends_between(const TriangleComplex& complex, Index face, Index other, Index v,
                     Index w) const {
-    return has_seam(complex, face, other, v, w) || has_fold(complex, face, other, v, w);
+    return has_seam(complex, face, other, v, w) || has_texture_fold(complex, face, other, v, w);
   }
   /// Are chart boundaries constrained, and may no face turn over in the texture?
-  bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_soft()); }
-  double border_weight() const { return border_weight_.value_or(0); } ///< see ChannelOptions
-  bool is_border_weight_given() const { return border_weight_.has_value(); }
+  bool constrains_charts() const { return is_texture_ && (are_seams_kept() || are_seams_soft()); }
+  double chart_boundary_weight() const {
+    return boundary_weight_.value_or(0);
+  } ///< see ChannelOptions
+  bool is_boundary_weight_given() const { return boundary_weight_.has_value(); }
   /// Sets the weight of soft seams, by the fraction of edges that they are: if they are few,
   /// constraining them strongly costs little of the shape; if they are many, little else can
   /// change.
-  void choose_border_weight(double part) {
-    border_weight_ = std::clamp(0.0036 / (part * part), 0.1, 1.0);
+  void choose_boundary_weight(double fraction) {
+    boundary_weight_ = std::clamp(0.0036 / (fraction * fraction), 0.1, 1.0);
   }
   /// Constrains the chart of a face at its edge vw, which counts as an area: the texture may slide
   /// along the edge and not away from it. The constraint at v is added to `form`.
-  void hold_border(const TriangleComplex& complex, const Array<Index>& labels, Index face, Index v,
-                   Index w, double area, QuadricForm<3>& form) {
-    records_.hold_borders();
+  void constrain_boundary(const TriangleComplex& complex, const Array<Index>& labels, Index face,
+                          Index v, Index w, double area, QuadricForm<3>& form) {
+    records_.constrain_boundaries();
     const Index at_v = wedge(complex, face, v);
     const Vector<2> p = records_.texture_at(at_v), q = texture_at(complex, face, w);
     const Vector<2> along = q - p;
     const double squared = squared_length(along);
     if (!(squared > 0))
       return;
-    const double factor = this->factor(labels, face) * border_weight() * area *
+    const double factor = this->factor(labels, face) * chart_boundary_weight() * area *
                           joiner_.squared_weights()[0] / squared;
     WedgeMap edge;
-    edge.border = {factor * along[1] * along[1], -factor * along[0] * along[1],
-                   factor * along[0] * along[0]};
+    edge.boundary = {factor * along[1] * along[1], -factor * along[0] * along[1],
+                     factor * along[0] * along[0]};
     edge.maps = {AffineMap{{}, p[0]}, AffineMap{{}, p[1]}};
     WedgeMap chart = records_.map(at_v);
     joiner_.join(chart, edge, {}, form);
@@ -195,7 +198,7 @@ public:
   /// Answers this for pairs without a fixed end.
   QUADRILLE_ALWAYS_INLINE bool joins_two(Index first, Index second) const {
     return are_pairs_edges_ && table_.has_one(first) && table_.has_one(second) &&
-           !records_.holds_border(first) && !records_.holds_border(second);
+           !records_.has_constrained_boundary(first) && !records_.has_constrained_boundary(second);
   }
 
   /// Adds what the wedges of two ends disagree about, about the first end.
@@ -235,7 +238,7 @@ public:
 
   /// Gives the wedges the values of a result, where these are not those of least cost.
   template <class Positions>
-  void settle(const Positions& positions, const TriangleComplex& complex) {
+  void resolve(const Positions& positions, const TriangleComplex& complex) {
     if (new_values_ == NewValues::existing)
       records_.restore_existing();
     if (new_values_ == NewValues::recomputed)
@@ -271,7 +274,7 @@ private:
 
   // A texture changes by a length for each length nearly everywhere; others change by much more at
   // what is sharp in them, and are to count there.
-  double steepness_part() const { return is_texture_ ? 1 : 1.0 / 16; }
+  double steepness_factor() const { return is_texture_ ? 1 : 1.0 / 16; }
   // Computes the gradient of each attribute on a face. Returns their weight: the area, and less if
   // attributes change by more than a length (for others than textures, four) for each length, so
   // that the weight of slivers is bounded.
@@ -286,18 +289,18 @@ private:
     const double squared = squared_length(normal);
     if (!(squared > 0))
       return 0;
-    const Vector<3> first_way = (1 / squared) * cross(to_third, normal);
-    const Vector<3> second_way = (1 / squared) * cross(normal, to_second);
+    const Vector<3> first_direction = (1 / squared) * cross(to_third, normal);
+    const Vector<3> second_direction = (1 / squared) * cross(normal, to_second);
     const std::array<Index, 3> w{table_.at(face, 0, v[0]), table_.at(face, 1, v[1]),
                                  table_.at(face, 2, v[2])};
     double steepness = 0;
     for (std::size_t c = 0; c < components(); ++c) {
-      gradients[c] = (value(w[1], c) - value(w[0], c)) * first_way +
-                     (value(w[2], c) - value(w[0], c)) * second_way;
+      gradients[c] = (value(w[1], c) - value(w[0], c)) * first_direction +
+                     (value(w[2], c) - value(w[0], c)) * second_direction;
       steepness += joiner_.squared_weights()[c] * squared_length(gradients[c]);
     }
     return factor * weight_of_area(0.5 * std::sqrt(squared)) /
-           (1 + steepness_part() * factor * steepness / static_cast<double>(components()));
+           (1 + steepness_factor() * factor * steepness / static_cast<double>(components()));
   }
 
   template <class Rename>
@@ -312,7 +315,7 @@ private:
   Seams seams_;
   NewValues new_values_;
   bool is_texture_;
-  std::optional<double> border_weight_;
+  std::optional<double> boundary_weight_;
   bool are_pairs_edges_;                                    // or may be taken as such
   std::vector<double> factors_;                             // of each label; or none
   std::function<bool(std::span<double>, bool)> as_written_; // see ChannelInput

@@ -179,7 +179,7 @@ private:
   const WedgeRecords& records() const { return channel_.records(); }
 
   void add_join(Index w, Index x, QuadricForm<3>& form) const {
-    if (!records().holds_border(w) && !records().holds_border(x)) {
+    if (!records().has_constrained_boundary(w) && !records().has_constrained_boundary(x)) {
       channel_.add_difference(w, x, pair_.to_second, form);
     } else {
       WedgeMap map = records().map(w);
@@ -248,7 +248,7 @@ private:
     change.wedges.insert(change.wedges.end(), group.second.begin(), group.second.end());
     if (pair_.is_first_fixed || pair_.is_second_fixed) {
       change.map.move_origin(pair_.is_first_fixed ? Vector<3>{} : pair_.to_second);
-      hold(change, pair_.is_first_fixed ? group.first[0] : group.second[0], form);
+      constrain(change, pair_.is_first_fixed ? group.first[0] : group.second[0], form);
     } else {
       change.map.move_origin(target);
     }
@@ -257,11 +257,11 @@ private:
   }
 
   // The wedge of a fixed vertex keeps its values.
-  void hold(Change& change, Index wedge, QuadricForm<3>& form) const {
+  void constrain(Change& change, Index wedge, QuadricForm<3>& form) const {
     std::vector<double> values(records().components());
     for (std::size_t c = 0; c < records().components(); ++c)
       values[c] = records().value(wedge, c);
-    joiner().hold(change.map, values.data(), form);
+    joiner().constrain(change.map, values.data(), form);
     for (std::size_t c = 0; c < records().components(); ++c)
       change.map.maps[c].value = values[c];
   }

@@ -88,9 +88,9 @@ public:
 
   /// With all but values and corners. Throws std::invalid_argument for options that do not go with
   /// the channel.
-  ChannelInput input(Workspace& workspace) const {
+  ChannelInput input(Arena& arena) const {
     require_fit(channel_.options);
-    return {channel_.options, size, attribute, workspace};
+    return {channel_.options, size, attribute, arena};
   }
 
   void read(const Key& key, ChannelInput& input) const {

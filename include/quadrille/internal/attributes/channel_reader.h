@@ -25,7 +25,7 @@ public:
   /// Several wedges a vertex, where values differ. A table that may stay empty does so where none
   /// has several.
   void read_wedges(WedgeTable& table, WedgeRecords& records, bool may_stay_empty) const {
-    Array<Index> origins(complex_.vertex_capacity(), none, complex_.workspace());
+    Array<Index> origins(complex_.vertex_capacity(), none, complex_.arena());
     table.build(
         complex_, [&](Index face, Index i) { return value_at(face, i); },
         [&](Index value, Index other) { return input_.are_equal(value, other); },
@@ -42,7 +42,7 @@ public:
   /// One wedge a vertex, with the mean of the values at its corners where these differ, or the
   /// first of them where only existing values may be.
   void read_vertices(WedgeRecords& records) const {
-    Array<Index> origins(complex_.vertex_capacity(), none, complex_.workspace());
+    Array<Index> origins(complex_.vertex_capacity(), none, complex_.arena());
     for (Index v = 0; v < origins.size(); ++v)
       complex_.for_each_corner(v, [&](Index face, Index i) {
         if (origins[v] == none)

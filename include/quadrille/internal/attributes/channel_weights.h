@@ -83,12 +83,12 @@ private:
                     std::vector<double>& ratios) const {
     const Vector<3> to_second = face[1].place - face[0].place;
     const Vector<3> to_third = face[2].place - face[0].place;
-    const Vector<3> way = far.place - face[0].place, normal = cross(to_second, to_third);
+    const Vector<3> offset = far.place - face[0].place, normal = cross(to_second, to_third);
     const double squared = squared_length(normal);
     if (!(squared > 0))
       return;
-    const double s = dot(cross(way, to_third), normal) / squared;
-    const double t = dot(cross(to_second, way), normal) / squared;
+    const double s = dot(cross(offset, to_third), normal) / squared;
+    const double t = dot(cross(to_second, offset), normal) / squared;
     double sum = 0;
     for (std::size_t c = 0; c < channel_.components; ++c) {
       const auto value = [&](const Corner& corner) { return channel_.value(corner.value, c); };
@@ -97,7 +97,7 @@ private:
           value(far) - (first + s * (value(face[1]) - first) + t * (value(face[2]) - first));
       sum += off * off;
     }
-    const double distance = std::abs(dot(way, normal)) / std::sqrt(squared);
+    const double distance = std::abs(dot(offset, normal)) / std::sqrt(squared);
     ratios.push_back((distance + std::sqrt(squared_length(to_second)) / 50) /
                      (std::sqrt(sum / static_cast<double>(channel_.components)) + least_step_));
   }
@@ -124,7 +124,7 @@ public:
                 const Array<Index>& labels)
       : low_(channel.components, (std::numeric_limits<double>::max)()),
         high_(channel.components, std::numeric_limits<double>::lowest()) {
-    Array<unsigned char> is_used(channel.size(), 0, complex.workspace());
+    Array<unsigned char> is_used(channel.size(), 0, complex.arena());
     for (Index face = 0; face < complex.face_capacity(); ++face) {
       if (complex.is_removed(face))
         continue;

@@ -23,27 +23,29 @@ namespace quadrille::internal {
 struct ReportedChannel {
   std::size_t number;   ///< of the channel of the call
   Index first_wedge;    ///< what is added to the numbers of its wedges
-  bool is_of_backs;     ///< are its values those of backs?
+  bool is_of_reverse;   ///< are its values those of reverse faces?
   bool has_wedges;      ///< or is its value a number of each vertex?
-  std::size_t of_backs; ///< which channel has the values of backs; itself if they have the same
+  std::size_t
+      of_reverse; ///< which channel has the values of reverse faces; itself if they have the same
 };
 
 /// Returns all channels of a surface. If reverse faces have values of their own these are further
-/// wedges of the channel. `back_channels`: see BackChannels; empty if there are no reverse faces.
-inline std::vector<ReportedChannel> reported_channels(std::span<const Channel> channels,
-                                                      const std::vector<std::size_t>& back_channels,
-                                                      std::size_t vertices) {
-  std::vector<ReportedChannel> told(channels.size());
-  for (std::size_t c = 0; c < told.size(); ++c)
-    told[c] = {c, 0, false, channels[c].has_seams(), c};
-  for (std::size_t c = 0; c < back_channels.size(); ++c)
-    if (const std::size_t backs = back_channels[c]; backs != c) {
+/// wedges of the channel. `reverse_channels`: see ReverseChannels; empty if there are no reverse
+/// faces.
+inline std::vector<ReportedChannel>
+reported_channels(std::span<const Channel> channels,
+                  const std::vector<std::size_t>& reverse_channels, std::size_t vertices) {
+  std::vector<ReportedChannel> reported(channels.size());
+  for (std::size_t c = 0; c < reported.size(); ++c)
+    reported[c] = {c, 0, false, channels[c].has_seams(), c};
+  for (std::size_t c = 0; c < reverse_channels.size(); ++c)
+    if (const std::size_t reverse_faces = reverse_channels[c]; reverse_faces != c) {
       const auto wedges = static_cast<Index>(channels[c].wedge_count(vertices));
-      told[c].has_wedges = true;
-      told[c].of_backs = backs;
-      told[backs] = {c, wedges, true, true, backs};
+      reported[c].has_wedges = true;
+      reported[c].of_reverse = reverse_faces;
+      reported[reverse_faces] = {c, wedges, true, true, reverse_faces};
     }
-  return told;
+  return reported;
 }
 
 /// Reports the changes of the channels of a surface to a recorder.
@@ -56,8 +58,8 @@ public:
 
   /// Returns how many numbers of a vertex are values of channels.
   std::size_t begin() {
-    reported_ =
-        reported_channels(channels_.all(), channels_.back_channels(), complex_.vertex_capacity());
+    reported_ = reported_channels(channels_.all(), channels_.reverse_channels(),
+                                  complex_.vertex_capacity());
     std::size_t width = 0;
     for (std::size_t c = 0; c < reported_.size(); ++c)
       width += reported_[c].has_wedges ? 0 : channels_.all()[c].components();
@@ -66,9 +68,9 @@ public:
   /// Returns the channels as a recorder receives them at the beginning.
   std::vector<RecordedChannel> recorded() {
     std::vector<RecordedChannel> recorded;
-    for (const ReportedChannel& told : reported_)
-      if (!told.is_of_backs)
-        recorded.push_back(read(told));
+    for (const ReportedChannel& reported : reported_)
+      if (!reported.is_of_reverse)
+        recorded.push_back(read(reported));
     return recorded;
   }
   /// The numbers of a vertex that are values of channels.
@@ -89,7 +91,7 @@ public:
         continue;
       const auto note = [&](Index face, Index end) {
         Channel& channel = channels[c];
-        if (reported_[c].is_of_backs && !complex_.backs().has(face))
+        if (reported_[c].is_of_reverse && !complex_.reverse_faces().has(face))
           return;
         corners.push_back(
             {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
@@ -135,20 +137,20 @@ public:
   }
 
 private:
-  RecordedChannel read(const ReportedChannel& told) {
-    Channel& fronts = channels_.all()[told.number];
-    RecordedChannel recorded{fronts.components(), {}, {}};
-    if (!told.has_wedges)
+  RecordedChannel read(const ReportedChannel& reported) {
+    Channel& forward = channels_.all()[reported.number];
+    RecordedChannel recorded{forward.components(), {}, {}};
+    if (!reported.has_wedges)
       return recorded;
     recorded.corners = corners_by_input_face(
-        complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_back) {
-          const std::size_t c = is_back ? told.of_backs : told.number;
+        complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_reverse) {
+          const std::size_t c = is_reverse ? reported.of_reverse : reported.number;
           return reported_[c].first_wedge +
                  channels_.all()[c].wedge(complex_, face, complex_.vertices(face)[i]);
         });
-    append_values(fronts, recorded.values);
-    if (told.of_backs != told.number)
-      append_values(channels_.all()[told.of_backs], recorded.values);
+    append_values(forward, recorded.values);
+    if (reported.of_reverse != reported.number)
+      append_values(channels_.all()[reported.of_reverse], recorded.values);
     return recorded;
   }
   void append_values(Channel& channel, std::vector<double>& values) const {

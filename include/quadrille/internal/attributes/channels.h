@@ -12,7 +12,7 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/internal/core/memory/columns.h>
+#include <quadrille/internal/core/memory/vertex_arrays.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/numbering.h>
@@ -31,43 +31,44 @@
 
 namespace quadrille::internal {
 
-/// Stores the values of reverse faces as channels of their fronts.
-class BackChannels {
+/// Stores the values of reverse faces as channels of their forward faces.
+class ReverseChannels {
 public:
-  BackChannels(const TriangleComplex& complex, const InputIndices& faces,
-               std::vector<ChannelInput>& channels)
+  ReverseChannels(const TriangleComplex& complex, const InputIndices& faces,
+                  std::vector<ChannelInput>& channels)
       : complex_(complex), faces_(faces), channels_(channels) {}
 
-  /// Appends a channel of the values that backs have for each channel in which they differ from
-  /// their fronts. Returns which channel these are, of each that there was; its own number where
-  /// there is none.
+  /// Appends a channel of the values that reverse faces have for each channel in which they differ
+  /// from their forward faces. Returns which channel these are, of each that there was; its own
+  /// number where there is none.
   std::vector<std::size_t> add() {
     std::vector<std::size_t> numbers;
     const std::size_t count = channels_.size();
     for (std::size_t c = 0; c < count; ++c) {
-      std::optional<ChannelInput> backs = channel_of_backs(channels_[c]);
-      numbers.push_back(backs ? channels_.size() : c);
-      if (backs)
-        channels_.push_back(*std::move(backs));
+      std::optional<ChannelInput> reverse_faces = channel_of_reverse(channels_[c]);
+      numbers.push_back(reverse_faces ? channels_.size() : c);
+      if (reverse_faces)
+        channels_.push_back(*std::move(reverse_faces));
     }
     return numbers;
   }
 
 private:
-  // A vertex that has one value has it on both sides. Faces without a back have one value
+  // A vertex that has one value has it on both sides. Faces without a reverse face have one value
   // throughout, which costs nothing.
-  std::optional<ChannelInput> channel_of_backs(const ChannelInput& channel) const {
+  std::optional<ChannelInput> channel_of_reverse(const ChannelInput& channel) const {
     if (channel.corners.empty())
       return std::nullopt;
-    const Backs& backs = complex_.backs();
+    const ReverseFaces& reverse_faces = complex_.reverse_faces();
     bool differs = false;
     std::optional<Index> first;
     auto corners = channel.corners;
     for_each_face(complex_, [&](Index face) {
-      if (!backs.has(face))
+      if (!reverse_faces.has(face))
         return;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Index value = channel.corners[backs.input_face(face)][backs.opposite(face, i)];
+        const Index value =
+            channel.corners[reverse_faces.input_face(face)][reverse_faces.opposite(face, i)];
         differs |= !channel.are_equal(channel.corners[faces_[face]][i], value);
         corners[faces_[face]][i] = value;
         first = first.value_or(value);
@@ -76,7 +77,7 @@ private:
     if (!differs)
       return std::nullopt;
     for_each_face(complex_, [&](Index face) {
-      if (!backs.has(face))
+      if (!reverse_faces.has(face))
         corners[faces_[face]] = {*first, *first, *first};
     });
     ChannelInput result = channel;
@@ -98,20 +99,20 @@ struct ChartEnd {
 /// reverse faces come after all others.
 struct ChannelsLeft {
   std::vector<Channel> channels;
-  std::vector<std::size_t> back_channels; ///< see BackChannels
+  std::vector<std::size_t> reverse_channels; ///< see ReverseChannels
 
   /// Returns the wedge of a face of the complex at a vertex, or of its reverse.
   Index wedge(const TriangleComplex& complex, std::size_t c, Index face, Index v,
-              bool is_back) const {
-    const bool is_other = is_back && has_back_channel(c);
-    return is_other ? wedges_of(complex, c) + channel_of_backs(c).wedge(complex, face, v)
+              bool is_reverse) const {
+    const bool is_other = is_reverse && has_reverse_channel(c);
+    return is_other ? wedges_of(complex, c) + channel_of_reverse(c).wedge(complex, face, v)
                     : channels[c].wedge(complex, face, v);
   }
   /// How many numbers of wedges a channel may use.
   std::size_t wedge_count(const TriangleComplex& complex, std::size_t c) const {
-    return has_back_channel(c)
-               ? wedges_of(complex, c) + channel_of_backs(c).wedge_count(complex.vertex_capacity())
-               : wedges_of(complex, c);
+    return has_reverse_channel(c) ? wedges_of(complex, c) +
+                                        channel_of_reverse(c).wedge_count(complex.vertex_capacity())
+                                  : wedges_of(complex, c);
   }
   std::size_t components(std::size_t c) const { return channels[c].components(); }
   double value(const TriangleComplex& complex, std::size_t c, Index wedge,
@@ -125,18 +126,18 @@ struct ChannelsLeft {
   }
 
 private:
-  bool has_back_channel(std::size_t c) const {
-    return !back_channels.empty() && back_channels[c] != c;
+  bool has_reverse_channel(std::size_t c) const {
+    return !reverse_channels.empty() && reverse_channels[c] != c;
   }
-  const Channel& channel_of_backs(std::size_t c) const { return channels[back_channels[c]]; }
+  const Channel& channel_of_reverse(std::size_t c) const { return channels[reverse_channels[c]]; }
   Index wedges_of(const TriangleComplex& complex, std::size_t c) const {
     return static_cast<Index>(channels[c].wedge_count(complex.vertex_capacity()));
   }
   std::pair<const Channel*, Index> channel_and_wedge(const TriangleComplex& complex, std::size_t c,
                                                      Index wedge) const {
-    if (!has_back_channel(c) || wedge < wedges_of(complex, c))
+    if (!has_reverse_channel(c) || wedge < wedges_of(complex, c))
       return {&channels[c], wedge};
-    return {&channel_of_backs(c), wedge - wedges_of(complex, c)};
+    return {&channel_of_reverse(c), wedge - wedges_of(complex, c)};
   }
 };
 
@@ -161,15 +162,15 @@ public:
   using Seams = ChannelSeams;
 
   Channels(const TriangleComplex& complex, const Geometry& geometry, VertexStates<Cost>& states)
-      : complex_(complex), geometry_(geometry), states_(states), forms_(complex.workspace()),
-        traces_(complex.workspace()) {}
+      : complex_(complex), geometry_(geometry), states_(states), forms_(complex.arena()),
+        traces_(complex.arena()) {}
 
   /// Takes the data of an adapter; if reverse faces have values of their own, these are channels
   /// after the others. `labels`: of each face; or empty.
   void read(std::vector<ChannelInput> inputs, const Numbering& numbering,
             const Array<Index>& labels, const Scale<Cost::dimension>& scale, bool are_pairs_edges) {
-    if (!complex_.backs().is_empty())
-      back_channels_ = BackChannels(complex_, numbering.faces, inputs).add();
+    if (!complex_.reverse_faces().is_empty())
+      reverse_channels_ = ReverseChannels(complex_, numbering.faces, inputs).add();
     for (const ChannelInput& input : inputs)
       channels_.push_back(
           Channel(input, numbering, complex_,
@@ -178,8 +179,8 @@ public:
   }
   std::span<const Channel> all() const { return channels_; }
   std::span<Channel> all() { return channels_; }
-  /// See BackChannels; empty if there are no backs.
-  const std::vector<std::size_t>& back_channels() const { return back_channels_; }
+  /// See ReverseChannels; empty if there are no reverse faces.
+  const std::vector<std::size_t>& reverse_channels() const { return reverse_channels_; }
   bool have_seams() const {
     return std::any_of(channels_.begin(), channels_.end(),
                        [](const Channel& channel) { return channel.has_seams(); });
@@ -189,8 +190,8 @@ public:
   /// With the values of the result.
   ChannelsLeft take() {
     for (Channel& channel : channels_)
-      channel.settle(geometry_.positions(), complex_);
-    return {std::move(channels_), std::move(back_channels_)};
+      channel.resolve(geometry_.positions(), complex_);
+    return {std::move(channels_), std::move(reverse_channels_)};
   }
 
   /// Accumulates the current attributes in the states of all vertices. `labels`: of each face; or
@@ -209,10 +210,10 @@ public:
 
   /// Constrains charts at their ends, whether a surface has seams of other kinds or not: a boundary
   /// of the surface constrains no chart if there is no seam.
-  void hold_borders(const Array<Index>& labels, bool has_other_seams) {
+  void constrain_boundaries(const Array<Index>& labels, bool has_other_seams) {
     for (Channel& channel : channels_) {
-      if (!channel.holds_charts() ||
-          (channel.is_border_weight_given() && !(channel.border_weight() > 0)))
+      if (!channel.constrains_charts() ||
+          (channel.is_boundary_weight_given() && !(channel.chart_boundary_weight() > 0)))
         continue;
       std::size_t edges = 0, seams = 0;
       std::vector<ChartEnd> ends;
@@ -227,10 +228,10 @@ public:
       });
       if (seams == 0 && !has_other_seams)
         continue;
-      if (!channel.is_border_weight_given())
-        channel.choose_border_weight(static_cast<double>(seams) / static_cast<double>(edges));
+      if (!channel.is_boundary_weight_given())
+        channel.choose_boundary_weight(static_cast<double>(seams) / static_cast<double>(edges));
       for (const ChartEnd& end : ends)
-        hold_border(channel, labels, end);
+        constrain_boundary(channel, labels, end);
     }
   }
 
@@ -284,7 +285,7 @@ public:
   bool turn_over(const PairStar& star, Index a, Index b, const Position& target) const {
     const ContractedPair pair = contracted(a, b);
     for (const Channel& channel : channels_) {
-      if (!channel.holds_charts())
+      if (!channel.constrains_charts())
         continue;
       if (ChannelContraction(channel, complex_, pair)
               .turns_over(star, target - geometry_.position(a)))
@@ -320,7 +321,7 @@ public:
   }
 
   static constexpr bool is_seldom_there = true;
-  static auto vertex_columns(auto& self) { return std::tie(self.forms_, self.traces_); }
+  static auto vertex_arrays(auto& self) { return std::tie(self.forms_, self.traces_); }
   /// Leaves out wedges of faces for which is_left is false, and of vertices that are not in an
   /// ascending list.
   template <class IsLeft>
@@ -346,25 +347,25 @@ private:
 
   // Adds a line constraint in the texture and, if seams are soft constraints, one in the surface as
   // well.
-  void hold_border(Channel& channel, const Array<Index>& labels, const ChartEnd& border) {
-    const Vector<3> along = geometry_.position(border.w) - geometry_.position(border.v);
+  void constrain_boundary(Channel& channel, const Array<Index>& labels, const ChartEnd& boundary) {
+    const Vector<3> along = geometry_.position(boundary.w) - geometry_.position(boundary.v);
     const double area = weight_of_area(squared_length(along));
     const QuadricForm<3> line =
         channel.are_seams_soft()
-            ? squared_plane(off(border, along), 0, channel.border_weight() * area)
+            ? squared_plane(off(boundary, along), 0, channel.chart_boundary_weight() * area)
             : QuadricForm<3>();
     for (const auto& [end, other] :
-         {std::pair(border.v, border.w), std::pair(border.w, border.v)}) {
-      QuadricForm<3> held = line;
-      channel.hold_border(complex_, labels, border.face, end, other, area, held);
-      form_at(end) += held;
-      traces_[end] += held.trace();
+         {std::pair(boundary.v, boundary.w), std::pair(boundary.w, boundary.v)}) {
+      QuadricForm<3> constrained = line;
+      channel.constrain_boundary(complex_, labels, boundary.face, end, other, area, constrained);
+      form_at(end) += constrained;
+      traces_[end] += constrained.trace();
     }
   }
   // Returns the direction in the face that leads away from its edge, of length 1, or 0 if it is
   // undefined.
-  Vector<3> off(const ChartEnd& border, const Vector<3>& along) const {
-    const auto& corners = complex_.vertices(border.face);
+  Vector<3> off(const ChartEnd& boundary, const Vector<3>& along) const {
+    const auto& corners = complex_.vertices(boundary.face);
     const Vector<3> normal =
         normal_vector(geometry_.position(corners[0]), geometry_.position(corners[1]),
                       geometry_.position(corners[2]));
@@ -401,7 +402,7 @@ private:
   const Geometry& geometry_;
   VertexStates<Cost>& states_;
   std::vector<Channel> channels_;
-  std::vector<std::size_t> back_channels_;
+  std::vector<std::size_t> reverse_channels_;
   Array<QuadricForm<3>> forms_; // of each vertex, where its state does not contain them
   Array<double> traces_;        // of what channels have left at each vertex
 };

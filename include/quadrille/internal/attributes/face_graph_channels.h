@@ -30,11 +30,10 @@ public:
 
   /// `vertices` are those of the mesh, in the order in which they were read.
   template <class Vertices>
-  void read(const Mesh& mesh, const Vertices& vertices, Workspace& workspace,
-            InputWithChannels& surface) {
+  void read(const Mesh& mesh, const Vertices& vertices, Arena& arena, InputWithChannels& surface) {
     for_each_channel(maps_, [&](auto& map, std::size_t) {
       using Key = typename std::remove_cvref_t<decltype(map)>::Key;
-      ChannelInput input = map.input(workspace);
+      ChannelInput input = map.input(arena);
       if constexpr (std::same_as<Key, Vertex>)
         for (std::size_t v = 0; v < vertices.size(); ++v)
           map.read(vertices[v], input);

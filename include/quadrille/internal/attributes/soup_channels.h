@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_ATTRIBUTES_SOUP_CHANNELS_H
 
 #include <quadrille/internal/attributes/channel_map.h>
-#include <quadrille/internal/core/adapter/soup_parts.h>
+#include <quadrille/internal/core/adapter/soup_base.h>
 #include <quadrille/internal/core/adapter/split_points.h>
 #include <quadrille/internal/core/base/containers.h>
 #include <quadrille/internal/core/base/index.h>
@@ -120,12 +120,12 @@ public:
 
   /// `of_points`: the points of each triangle. Throws std::invalid_argument for index triples that
   /// are not one for each triangle, or name a value that is not there.
-  void read(std::size_t points, const Array<TriangleComplex::Triangle>& of_points,
-            Workspace& workspace, InputWithChannels& surface) {
+  void read(std::size_t points, const Array<TriangleComplex::Triangle>& of_points, Arena& arena,
+            InputWithChannels& surface) {
     const std::size_t triangles = of_points.size();
     for_each_channel(maps_, [&](auto& map, std::size_t c) {
       numbers_[c] = surface.channels.size();
-      ChannelInput input = map.input(workspace);
+      ChannelInput input = map.input(arena);
       if constexpr (is_indexed<SourceOf<decltype(map)>>) {
         if (std::ranges::size(*map.source().values) == 0 &&
             std::ranges::size(*map.source().triples) == 0)

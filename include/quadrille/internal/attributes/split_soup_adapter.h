@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_ATTRIBUTES_SPLIT_SOUP_ADAPTER_H
 
 #include <quadrille/internal/attributes/soup_channels.h>
-#include <quadrille/internal/core/adapter/soup_parts.h>
+#include <quadrille/internal/core/adapter/soup_base.h>
 #include <quadrille/internal/core/adapter/split_points.h>
 #include <quadrille/internal/core/base/containers.h>
 #include <quadrille/internal/core/base/points.h>
@@ -36,17 +36,17 @@ public:
   using Input = InputOf<3, has_channels_in<Maps>>;
 
   SplitSoupAdapter(Points& points, Triangles& triangles, PointMap map, Labels labels, Maps channels,
-                   Workspace& workspace)
-      : workspace_(&workspace), points_(points), triangles_(triangles), map_(map), labels_(labels),
-        channels_(std::move(channels)), vertex_of_(&workspace) {}
+                   Arena& arena)
+      : arena_(&arena), points_(points), triangles_(triangles), map_(map), labels_(labels),
+        channels_(std::move(channels)), vertex_of_(&arena) {}
 
   /// Throws as SoupAdapter::read does.
   Input read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
-    Input surface(workspace_);
-    surface.has_duplicate_faces = surface.may_have_backs = true;
+    Input surface(arena_);
+    surface.has_duplicate_faces = surface.may_have_reverse_faces = true;
     weld(surface);
-    Array<TriangleComplex::Triangle> corners(workspace_);
+    Array<TriangleComplex::Triangle> corners(arena_);
     for (std::size_t face = 0; face < std::ranges::size(triangles_); ++face) {
       corners.push_back(
           read_triangle("quadrille::simplify", triangles_[face], face, vertex_of_.size()));
@@ -54,7 +54,7 @@ public:
       surface.triangles.push_back({vertex_of_[a], vertex_of_[b], vertex_of_[c]});
     }
     if constexpr (has_channels_in<Maps>) {
-      channels_.read(vertex_of_.size(), corners, *workspace_, surface);
+      channels_.read(vertex_of_.size(), corners, *arena_, surface);
       for (ChannelInput& channel : surface.channels)
         if (channel.corners.empty())
           channel.corners = corners;
@@ -74,11 +74,11 @@ public:
   Index vertex_of(std::size_t point) const { return vertex_of_[point]; }
 
   /// Rewrites points, triangles and channels; the soup stays as it was if anything throws.
-  template <class Result, class Tell>
-  std::size_t write(const Result& result, Tell tell) {
-    static_assert(
-        !Tell::asks_for_images,
-        "vertex_to_vertex_map does not go with SplitVertices: a point may become several.");
+  template <class Result, class AnyReporter>
+  std::size_t write(const Result& result, AnyReporter reporter) {
+    static_assert(!AnyReporter::asks_for_vertex_map,
+                  "quadrille::simplify: vertex_to_vertex_map does not go with SplitVertices: a "
+                  "point may become several.");
     const Array<Index> inputs = result.input_faces();
     const Array<Index> faces = in_order(inputs, result.input_face_count());
     const SplitPoints split(result, faces, inputs, triangles_, channels_.of_points());
@@ -86,7 +86,7 @@ public:
     auto points = empty_like(points_);
     for (std::size_t i = 0; i < split.size(); ++i) {
       points.push_back(points_[split.origin(i)]);
-      tell.vertex(i, split.vertex(i), result);
+      reporter.vertex(i, split.vertex(i), result);
     }
     auto triangles = empty_like(triangles_);
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -126,18 +126,18 @@ private:
 
   // Points at one place are one vertex, which has the number of the first among the vertices.
   void weld(SurfaceInput<3>& surface) {
-    Array<Vector<3>> places(workspace_);
+    Array<Vector<3>> places(arena_);
     for (std::size_t i = 0; i < std::ranges::size(points_); ++i) {
       places.push_back(position_of(get(map_, points_[i])));
       require_finite(places.back(), places.size() - 1);
     }
-    Array<Index> order(places.size(), workspace_);
+    Array<Index> order(places.size(), arena_);
     std::iota(order.begin(), order.end(), Index{0});
     const auto key = [&](const Index& i) {
       return std::tie(places[i][0], places[i][1], places[i][2], i);
     };
     std::sort(order.begin(), order.end(), [&](Index i, Index j) { return key(i) < key(j); });
-    Array<Index> first(places.size(), workspace_);
+    Array<Index> first(places.size(), arena_);
     for (std::size_t k = 0; k < order.size(); ++k) {
       const bool is_same = k > 0 && places[order[k]] == places[order[k - 1]];
       first[order[k]] = is_same ? first[order[k - 1]] : order[k];
@@ -165,7 +165,7 @@ private:
     }
   }
 
-  Workspace* workspace_;
+  Arena* arena_;
   Points& points_;
   Triangles& triangles_;
   PointMap map_;

@@ -49,10 +49,10 @@ LaneForm two_joins(const Channels& channels, const TwoPairs& two,
                    const std::array<Vector<3>, 2>& to_seconds) {
   LaneForm form;
   const auto& [p, q] = two;
-  const LaneVector ways = both(to_seconds[0], to_seconds[1]);
+  const LaneVector displacements = both(to_seconds[0], to_seconds[1]);
   for (const Channel& channel : channels.all()) {
     if (channel.joins_two(p.first, p.second) && channel.joins_two(q.first, q.second)) [[likely]] {
-      add_differences(channel, two, ways, form);
+      add_differences(channel, two, displacements, form);
     } else {
       std::array<QuadricForm<3>, 2> forms;
       for (std::size_t k = 0; k < 2; ++k)

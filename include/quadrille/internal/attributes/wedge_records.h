@@ -22,9 +22,9 @@ namespace quadrille::internal {
 /// the input value from which they come.
 class WedgeRecords {
 public:
-  WedgeRecords(std::size_t components, Workspace* workspace)
-      : components_(components), weights_(workspace), maps_(workspace), borders_(workspace),
-        origins_(workspace), identities_(workspace), existing_(workspace) {}
+  WedgeRecords(std::size_t components, Arena* arena)
+      : components_(components), weights_(arena), maps_(arena), boundaries_(arena), origins_(arena),
+        identities_(arena), existing_(arena) {}
 
   std::size_t components() const { return components_; }
   double weight(Index wedge) const { return weights_[wedge]; }
@@ -50,8 +50,8 @@ public:
   Index& identity(Index wedge) { return identities_[wedge]; }
 
   /// Does a wedge constrain the boundary of a chart?
-  bool holds_border(Index wedge) const {
-    return !borders_.empty() && borders_[wedge][0] + borders_[wedge][2] > 0;
+  bool has_constrained_boundary(Index wedge) const {
+    return !boundaries_.empty() && boundaries_[wedge][0] + boundaries_[wedge][2] > 0;
   }
 
   /// Wedges with the values of an input that `origins` names, or `none` for no value.
@@ -94,7 +94,7 @@ public:
   /// Leaves nothing but values.
   void forget_faces() {
     std::fill(weights_.begin(), weights_.end(), 0.0);
-    std::fill(borders_.begin(), borders_.end(), Matrix2{});
+    std::fill(boundaries_.begin(), boundaries_.end(), Matrix2{});
     for (AffineMap& map : maps_)
       map.gradient = {};
   }
@@ -108,13 +108,13 @@ public:
       weights_[wedge] = weight;
       return difference;
     }
-    const double part = weight / (weights_[wedge] + weight);
+    const double fraction = weight / (weights_[wedge] + weight);
     for (std::size_t c = 0; c < components_; ++c) {
       Vector<3>& gradient = maps_[wedge * components_ + c].gradient;
       const Vector<3> off = gradients[c] - gradient;
       difference +=
-          SymmetricMatrix<3>::outer_product(off, weights_[wedge] * part * squared_weights[c]);
-      gradient += part * off;
+          SymmetricMatrix<3>::outer_product(off, weights_[wedge] * fraction * squared_weights[c]);
+      gradient += fraction * off;
     }
     weights_[wedge] += weight;
     return difference;
@@ -122,10 +122,10 @@ public:
   /// The map of both, about the first, of one component.
   AffineMap joined(Index first, Index second, const Vector<3>& to_second, std::size_t c) const {
     const double sum = weights_[first] + weights_[second];
-    const double part = sum > 0 ? weights_[second] / sum : 0;
+    const double fraction = sum > 0 ? weights_[second] / sum : 0;
     const AffineMap &one = maps(first)[c], &other = maps(second)[c];
-    return {one.gradient + part * (other.gradient - one.gradient),
-            one.value + part * (other.at(-1.0 * to_second) - one.value)};
+    return {one.gradient + fraction * (other.gradient - one.gradient),
+            one.value + fraction * (other.at(-1.0 * to_second) - one.value)};
   }
   /// Joins the wedges of two ends without boundaries, `to_second` apart, and moves the map to a
   /// target, given from the first: it is stored in `kept`, which is one of them.
@@ -145,20 +145,20 @@ public:
     else
       origins_[kept] = closest({origins_[first], origins_[second]}, maps(kept), squared_weights);
   }
-  void hold_borders() { borders_.resize(weights_.size()); }
+  void constrain_boundaries() { boundaries_.resize(weights_.size()); }
 
   WedgeMap map(Index wedge) const {
     WedgeMap map;
     map.weight = weights_[wedge];
-    if (!borders_.empty())
-      map.border = borders_[wedge];
+    if (!boundaries_.empty())
+      map.boundary = boundaries_[wedge];
     map.maps.assign(maps(wedge), maps(wedge) + components_);
     return map;
   }
   void write(Index wedge, const WedgeMap& map) {
     weights_[wedge] = map.weight;
-    if (!borders_.empty())
-      borders_[wedge] = map.border;
+    if (!boundaries_.empty())
+      boundaries_[wedge] = map.boundary;
     std::copy(map.maps.begin(), map.maps.end(), maps_.data() + wedge * components_);
   }
   void write(Index wedge, const WedgeMap& map, Index origin) {
@@ -183,7 +183,7 @@ public:
   void pack(const Array<Index>& left) {
     pack(weights_, left, 1);
     pack(maps_, left, components_);
-    pack(borders_, left, 1);
+    pack(boundaries_, left, 1);
     pack(origins_, left, 1);
     pack(identities_, left, 1);
   }
@@ -232,7 +232,7 @@ private:
   std::size_t components_;
   Array<double> weights_;
   Array<AffineMap> maps_;  // one a component
-  Array<Matrix2> borders_; // empty if no chart is constrained
+  Array<Matrix2> boundaries_; // empty if no chart is constrained
   Array<Index> origins_;
   Array<Index> identities_; // empty if they are not needed
   Array<double> existing_;  // the values of the input, if only these may be

@@ -28,7 +28,7 @@ class WedgeTable {
 public:
   using Corners = std::array<Index, 3>;
 
-  explicit WedgeTable(Workspace* workspace) : corners_(workspace), next_(workspace) {}
+  explicit WedgeTable(Arena* arena) : corners_(arena), next_(arena) {}
 
   /// Has any vertex ever had several wedges?
   bool has_seams() const { return !corners_.empty(); }
@@ -54,7 +54,7 @@ public:
       fans.gather(complex, v, are_one);
       Index last = none;
       fans.for_each([&](const auto& corners) {
-        const Index wedge = last == none ? v : add_behind(last);
+        const Index wedge = last == none ? v : append_after(last);
         last = wedge;
         for (const auto& [face, i] : corners)
           corners_[face][i] = wedge;
@@ -161,7 +161,7 @@ private:
     return is_sole ? first : none;
   }
 
-  Index add_behind(Index last) {
+  Index append_after(Index last) {
     const auto wedge = static_cast<Index>(next_.size());
     next_.push_back(none);
     next_[last] = wedge;
@@ -212,11 +212,11 @@ private:
         order_.push_back({root(c), c});
       std::sort(order_.begin(), order_.end());
       for (auto begin = order_.begin(); begin != order_.end();) {
-        part_.clear();
-        const Index part = begin->first;
-        for (; begin != order_.end() && begin->first == part; ++begin)
-          part_.push_back(corners_[begin->second]);
-        visit(part_);
+        component_.clear();
+        const Index component = begin->first;
+        for (; begin != order_.end() && begin->first == component; ++begin)
+          component_.push_back(corners_[begin->second]);
+        visit(component_);
       }
     }
 
@@ -231,7 +231,7 @@ private:
       parent_[(std::max)(one, other)] = (std::min)(one, other);
     }
 
-    std::vector<Corner> corners_, part_;
+    std::vector<Corner> corners_, component_;
     std::vector<std::pair<Index, Index>> sides_; // the other end of an edge, the corner
     std::vector<std::pair<Index, Index>> order_; // the group, the corner
     std::vector<Index> parent_;

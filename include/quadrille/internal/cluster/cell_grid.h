@@ -54,15 +54,16 @@ public:
 
   /// Returns the fraction, from 0 to 1, of the segment from `begin`, in the cell of p, to `end`
   /// that is in that cell.
-  double part_in_cell_of(const Vector<3>& p, const Vector<3>& begin, const Vector<3>& end) const {
-    double part = 1;
+  double fraction_in_cell_of(const Vector<3>& p, const Vector<3>& begin,
+                             const Vector<3>& end) const {
+    double fraction = 1;
     for (std::size_t i = 0; i < 3; ++i) {
       const double low = low_[i] + along(i, p) * width_[i];
       const double last = std::clamp(end[i], low, low + width_[i]);
       if (last != end[i])
-        part = (std::min)(part, (last - begin[i]) / (end[i] - begin[i]));
+        fraction = (std::min)(fraction, (last - begin[i]) / (end[i] - begin[i]));
     }
-    return (std::max)(part, 0.0);
+    return (std::max)(fraction, 0.0);
   }
 
   const Counts& counts() const { return counts_; }

@@ -88,8 +88,9 @@ public:
       if (cell.points == 1)
         continue; // all planes meet in it
       const Vector<3> mean = cell.displacement, best = robust_minimizer(quadrics[i], mean);
-      const double part = grid.part_in_cell_of(cell.anchor, cell.anchor + mean, cell.anchor + best);
-      cell.displacement += part * (best - mean);
+      const double fraction =
+          grid.fraction_in_cell_of(cell.anchor, cell.anchor + mean, cell.anchor + best);
+      cell.displacement += fraction * (best - mean);
     }
   }
 

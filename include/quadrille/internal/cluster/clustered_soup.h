@@ -19,7 +19,7 @@
 
 namespace quadrille::internal {
 
-[[noreturn]] inline void refuse_clustering(const std::string& what) {
+[[noreturn]] inline void reject_clustering(const std::string& what) {
   throw std::invalid_argument("quadrille::cluster_vertices: " + what);
 }
 
@@ -37,7 +37,7 @@ public:
     require_numbers("quadrille::cluster_vertices", point_count(), triangle_count());
     for (std::size_t v = 0; v < point_count(); ++v)
       if (!is_finite(position_of(points_[v])))
-        refuse_clustering("point " + std::to_string(v) + " is not finite");
+        reject_clustering("point " + std::to_string(v) + " is not finite");
     is_used_.resize(point_count());
     for (std::size_t f = 0; f < triangle_count(); ++f) {
       const auto [a, b, c] =

@@ -28,12 +28,12 @@ public:
     const std::size_t all = soup.triangle_count();
     FaceCountSearch search(all <= most ? finest : std::sqrt(static_cast<double>(most) / 6));
     for (int step = 0; !search.is_done(); ++step) {
-      const std::uint64_t cells = step < 10 ? search.guessed() : search.halved();
+      const std::uint64_t cells = step < 10 ? search.estimated() : search.halved();
       clusters.assign(soup, cubes_along(box, cells), most);
       const std::size_t faces = clusters.faces().size();
-      const double part = static_cast<double>(clusters.faces_seen()) / static_cast<double>(all);
-      search.tell(cells, faces <= most,
-                  static_cast<double>(most) * part / static_cast<double>(faces));
+      const double fraction = static_cast<double>(clusters.faces_seen()) / static_cast<double>(all);
+      search.note(cells, faces <= most,
+                  static_cast<double>(most) * fraction / static_cast<double>(faces));
     }
     return cubes_along(box, search.fitting_);
   }
@@ -41,7 +41,7 @@ public:
 private:
   static constexpr std::uint64_t finest = 1 << 20;
 
-  explicit FaceCountSearch(double guess) : guess_(guess) {}
+  explicit FaceCountSearch(double estimate) : estimate_(estimate) {}
 
   static CellGrid cubes_along(const Box<3>& box, std::uint64_t cells) {
     const double half = (std::max)({box.half_extent(0), box.half_extent(1), box.half_extent(2)});
@@ -53,18 +53,18 @@ private:
 
   // Returns a count between the known bounds; the coarsest grid if there is no estimate, which is
   // NaN then.
-  std::uint64_t guessed() const {
+  std::uint64_t estimated() const {
     const auto low = static_cast<double>(fitting_ + 1), high = static_cast<double>(too_fine_ - 1);
-    return static_cast<std::uint64_t>(guess_ >= low ? (std::min)(guess_, high) : low);
+    return static_cast<std::uint64_t>(estimate_ >= low ? (std::min)(estimate_, high) : low);
   }
 
   // `growth` is the ratio by which the number of faces may grow.
-  void tell(std::uint64_t cells, bool fits, double growth) {
+  void note(std::uint64_t cells, bool fits, double growth) {
     (fits ? fitting_ : too_fine_) = cells;
-    guess_ = static_cast<double>(cells) * std::sqrt(growth);
+    estimate_ = static_cast<double>(cells) * std::sqrt(growth);
   }
 
-  double guess_;
+  double estimate_;
   std::uint64_t fitting_ = 1, too_fine_ = finest + 1; // cells along the longest side
 };
 

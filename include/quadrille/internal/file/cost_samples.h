@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/base/cost_histogram.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/file/cell_counts.h>
-#include <quadrille/internal/file/loaded_part.h>
+#include <quadrille/internal/file/loaded_chunk.h>
 
 #include <algorithm>
 #include <array>
@@ -20,20 +20,20 @@ namespace quadrille::internal {
 /// A connected region of a chunk with about the given number of vertices. It is found by repeatedly
 /// keeping one half of the vertices, on one side of the median along the longest extent; the bits
 /// of `seed` choose the side. The boundary of the region is shared, because it must not move.
-class PartOfPart {
+class ChunkSample {
 public:
-  static LoadedPart of(const LoadedPart& part, std::size_t vertices, std::uint64_t seed,
-                       std::size_t state_size) {
-    PartOfPart piece(part);
-    while (piece.order_.size() > vertices) {
-      piece.halve((seed & 1U) != 0);
+  static LoadedChunk of(const LoadedChunk& chunk, std::size_t vertices, std::uint64_t seed,
+                        std::size_t state_size) {
+    ChunkSample sample(chunk);
+    while (sample.order_.size() > vertices) {
+      sample.halve((seed & 1U) != 0);
       seed >>= 1U;
     }
-    return piece.extracted(state_size);
+    return sample.extracted(state_size);
   }
 
 private:
-  explicit PartOfPart(const LoadedPart& part) : part_(part), order_(part.ids.size()) {
+  explicit ChunkSample(const LoadedChunk& chunk) : chunk_(chunk), order_(chunk.ids.size()) {
     std::iota(order_.begin(), order_.end(), Index{0});
   }
 
@@ -41,7 +41,7 @@ private:
     const std::size_t axis = longest_axis();
     const auto middle = order_.begin() + static_cast<std::ptrdiff_t>(order_.size() / 2);
     std::nth_element(order_.begin(), middle, order_.end(), [&](Index a, Index b) {
-      const double x = part_.positions[a][axis], y = part_.positions[b][axis];
+      const double x = chunk_.positions[a][axis], y = chunk_.positions[b][axis];
       return x != y ? x < y : a < b;
     });
     if (takes_upper)
@@ -53,7 +53,7 @@ private:
   std::size_t longest_axis() const {
     FileBox box;
     for (const Index v : order_)
-      box.add(part_.positions[v]);
+      box.add(chunk_.positions[v]);
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i)
       if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis])
@@ -61,41 +61,41 @@ private:
     return axis;
   }
 
-  LoadedPart extracted(std::size_t state_size) {
+  LoadedChunk extracted(std::size_t state_size) {
     std::sort(order_.begin(), order_.end());
-    std::vector<Index> place(part_.ids.size(), none);
-    LoadedPart piece;
+    std::vector<Index> place(chunk_.ids.size(), none);
+    LoadedChunk sample;
     for (const Index v : order_) {
-      place[v] = static_cast<Index>(piece.ids.size());
-      piece.ids.push_back(part_.ids[v]);
-      piece.positions.push_back(part_.positions[v]);
-      piece.is_shared.push_back(part_.is_shared[v]);
-      const std::size_t scalars = part_.scalars.size() / part_.ids.size();
-      const auto row = part_.scalars.begin() + static_cast<std::ptrdiff_t>(v * scalars);
-      piece.scalars.insert(piece.scalars.end(), row, row + static_cast<std::ptrdiff_t>(scalars));
-      const auto state = part_.states.begin() + static_cast<std::ptrdiff_t>(v * state_size);
-      if (!part_.states.empty())
-        piece.states.insert(piece.states.end(), state,
-                            state + static_cast<std::ptrdiff_t>(state_size));
+      place[v] = static_cast<Index>(sample.ids.size());
+      sample.ids.push_back(chunk_.ids[v]);
+      sample.positions.push_back(chunk_.positions[v]);
+      sample.is_shared.push_back(chunk_.is_shared[v]);
+      const std::size_t scalars = chunk_.scalars.size() / chunk_.ids.size();
+      const auto row = chunk_.scalars.begin() + static_cast<std::ptrdiff_t>(v * scalars);
+      sample.scalars.insert(sample.scalars.end(), row, row + static_cast<std::ptrdiff_t>(scalars));
+      const auto state = chunk_.states.begin() + static_cast<std::ptrdiff_t>(v * state_size);
+      if (!chunk_.states.empty())
+        sample.states.insert(sample.states.end(), state,
+                             state + static_cast<std::ptrdiff_t>(state_size));
     }
-    for (std::size_t f = 0; f < part_.triangles.size(); ++f) {
-      const std::array<Index, 3>& t = part_.triangles[f];
+    for (std::size_t f = 0; f < chunk_.triangles.size(); ++f) {
+      const std::array<Index, 3>& t = chunk_.triangles[f];
       const std::array<Index, 3> corners{place[t[0]], place[t[1]], place[t[2]]};
       const bool is_inside = corners[0] != none && corners[1] != none && corners[2] != none;
       if (is_inside)
-        piece.triangles.push_back(corners);
-      if (is_inside && !part_.labels.empty())
-        piece.labels.push_back(part_.labels[f]);
-      if (is_inside && !part_.bounds.empty())
-        piece.bounds.push_back(part_.bounds[f]);
+        sample.triangles.push_back(corners);
+      if (is_inside && !chunk_.labels.empty())
+        sample.labels.push_back(chunk_.labels[f]);
+      if (is_inside && !chunk_.bounds.empty())
+        sample.bounds.push_back(chunk_.bounds[f]);
       for (const Index corner : corners)
         if (!is_inside && corner != none)
-          piece.is_shared[corner] = true;
+          sample.is_shared[corner] = true;
     }
-    return piece;
+    return sample;
   }
 
-  const LoadedPart& part_;
+  const LoadedChunk& chunk_;
   std::vector<Index> order_; // the remaining vertices
 };
 
@@ -104,7 +104,7 @@ private:
 struct SampleCounts {
   double free_faces = 0;
 
-  explicit SampleCounts(const LoadedPart& sample) {
+  explicit SampleCounts(const LoadedChunk& sample) {
     std::size_t free = 0, used = 0;
     std::vector<bool> has_face(sample.ids.size());
     for (const std::array<Index, 3>& t : sample.triangles)
@@ -126,21 +126,21 @@ class CostSamples {
 public:
   explicit CostSamples(std::uint64_t faces) : faces_(faces) {}
 
-  /// Adds a sample that stands for `part_faces` faces, of which `free_faces` could be removed, with
-  /// the costs of its contractions.
-  void add(std::uint64_t part_faces, double free_faces, const CostHistogram& costs) {
+  /// Adds a sample that stands for `chunk_faces` faces, of which `free_faces` could be removed,
+  /// with the costs of its contractions.
+  void add(std::uint64_t chunk_faces, double free_faces, const CostHistogram& costs) {
     if (free_faces > 0)
-      samples_.push_back({part_faces, free_faces, costs});
+      samples_.push_back({chunk_faces, free_faces, costs});
   }
 
   /// Returns the limit in the engine's unit. It is infinite if nothing could be sampled.
   float limit(std::uint64_t faces_left) const {
     double sampled = 0;
     for (const Sample& s : samples_)
-      sampled += static_cast<double>(s.part_faces);
+      sampled += static_cast<double>(s.chunk_faces);
     CostHistogram all;
     for (const Sample& s : samples_) {
-      const double weight = static_cast<double>(s.part_faces) / s.free_faces *
+      const double weight = static_cast<double>(s.chunk_faces) / s.free_faces *
                             (static_cast<double>(faces_) / sampled);
       const auto from = s.costs.counters();
       for (std::size_t i = 0; i < CostHistogram::size; ++i)
@@ -156,7 +156,7 @@ private:
   static constexpr std::uint64_t unit = 256; // a face counts as this many
 
   struct Sample {
-    std::uint64_t part_faces;
+    std::uint64_t chunk_faces;
     double free_faces;
     CostHistogram costs;
   };

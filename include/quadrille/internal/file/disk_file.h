@@ -143,27 +143,27 @@ public:
   WholeFile& operator=(const WholeFile&) = delete;
   ~WholeFile() {
     if (!is_done_)
-      ::unlink(beside_.c_str());
+      ::unlink(unfinished_.c_str());
   }
 
   void write(const void* bytes, std::size_t size) {
-    write_bytes(file_, beside_, bytes, size);
+    write_bytes(file_, unfinished_, bytes, size);
     written_ += size;
   }
   /// Overwrites the beginning.
   void write_at_begin(const void* bytes, std::size_t size) {
     if (::pwrite(file_.get(), bytes, size, 0) != static_cast<::ssize_t>(size))
-      fail_file(beside_, std::string("cannot be written in full: ") + std::strerror(errno));
+      fail_file(unfinished_, std::string("cannot be written in full: ") + std::strerror(errno));
   }
   std::uint64_t written() const { return written_; }
   /// The path of the file until it is finished.
-  const std::filesystem::path& unfinished() const { return beside_; }
+  const std::filesystem::path& unfinished() const { return unfinished_; }
 
   /// Puts the finished file in its place.
   void finish() {
     if ((::fsync(file_.get()) != 0 && errno != EINVAL && errno != ENOTSUP) || !file_.close())
       fail_file(path_, std::string("cannot be written in full: ") + std::strerror(errno));
-    if (::rename(beside_.c_str(), path_.c_str()) != 0)
+    if (::rename(unfinished_.c_str(), path_.c_str()) != 0)
       fail_file(path_, std::string("cannot be written: ") + std::strerror(errno));
     is_done_ = true;
     sync_to_disk(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
@@ -171,10 +171,10 @@ public:
 
 private:
   WholeFile(std::filesystem::path path, const std::string& suffix)
-      : path_(std::move(path)), beside_(path_.string() + suffix),
-        file_(beside_, O_WRONLY | O_CREAT | O_TRUNC) {}
+      : path_(std::move(path)), unfinished_(path_.string() + suffix),
+        file_(unfinished_, O_WRONLY | O_CREAT | O_TRUNC) {}
 
-  std::filesystem::path path_, beside_;
+  std::filesystem::path path_, unfinished_;
   FileDescriptor file_;
   std::uint64_t written_ = 0;
   bool is_done_ = false;
@@ -186,12 +186,12 @@ inline void require_writable(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     fail_file(path, std::string("cannot be written: ") + std::strerror(EISDIR));
-  const auto beside = path.string() + ".unfinished-" + std::to_string(std::random_device{}());
-  const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const auto unfinished = path.string() + ".unfinished-" + std::to_string(std::random_device{}());
+  const int descriptor = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0)
     fail_file(path, std::string("cannot be written: ") + std::strerror(errno));
   ::close(descriptor);
-  ::unlink(beside.c_str());
+  ::unlink(unfinished.c_str());
 }
 
 } // namespace quadrille::internal

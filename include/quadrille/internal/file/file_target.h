@@ -35,7 +35,7 @@ public:
                       : static_cast<std::uint64_t>(std::llround(ratio_ * static_cast<double>(of)));
   }
   bool is_limited() const { return is_limited_; }
-  void tell(JobKey& key) const {
+  void add_to(JobKey& key) const {
     key.add_number(faces_);
     key.add_number(ratio_);
   }

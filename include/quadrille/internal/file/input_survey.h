@@ -25,19 +25,19 @@ namespace quadrille::internal {
 /// bit for each vertex.
 class InputSurvey {
 public:
-  /// `tell(part)` is as in FirstParts. Throws std::runtime_error with the name of the file.
+  /// `notify(fraction)` is as in FirstChunks. Throws std::runtime_error with the name of the file.
   /// `tolerance` is the index of that scalar in a row, if there is one.
-  template <class Tell>
-  InputSurvey(const PlyInput& input, std::optional<std::size_t> tolerance, Tell tell)
+  template <class Notify>
+  InputSurvey(const PlyInput& input, std::optional<std::size_t> tolerance, Notify notify)
       : input_(input), tolerance_(tolerance), used_(input.vertices()), labels_(input.labels()) {
     facts_.vertices = input.vertices();
     facts_.faces = input.faces();
     facts_.has_doubles = input.has_doubles();
     facts_.made = input.header().made;
     const auto from = [&](double begin, double end, std::uint64_t count) {
-      return [=, &tell](std::uint64_t i) {
+      return [=, &notify](std::uint64_t i) {
         if (i % (1 << 18) == 0)
-          tell(begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count));
+          notify(begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count));
       };
     };
     survey_faces(from(0, 0.7, facts_.faces));
@@ -55,11 +55,11 @@ private:
   static constexpr std::size_t most_colors = 64; // more colours make a picture, whose faces are not
                                                  // regions
 
-  template <class Tell>
-  void survey_faces(Tell tell) {
+  template <class Notify>
+  void survey_faces(Notify notify) {
     of_faces_ = input_.for_faces([&](std::uint64_t face, const FaceRow& corners,
                                      const LabelValues& values) {
-      tell(face);
+      notify(face);
       is_loose_ =
           is_loose_ && !used_.has(corners[0]) && !used_.has(corners[1]) && !used_.has(corners[2]);
       if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
@@ -105,11 +105,11 @@ private:
            " different labels, like numbers of faces, which cannot be kept out of core");
   }
 
-  template <class Tell>
-  void survey_vertices(Tell tell) {
+  template <class Notify>
+  void survey_vertices(Notify notify) {
     of_vertices_ = input_.for_vertices(
         [&](VertexId id, const Vector<3>& p, const std::vector<double>& scalars) {
-          tell(id);
+          notify(id);
           const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
           if (used_.has(id))
             take_vertex(id, p, is_finite, scalars);

@@ -66,8 +66,8 @@ private:
 
   JobEstimate(const InputSize& input, const FileTarget& target, const MemoryBudget& budget,
               std::size_t state_size)
-      : input_(input), schedule_(input.faces, target.faces(input.faces), budget.part_vertices()),
-        part_faces_(budget.part_faces()), part_vertices_(budget.part_vertices()),
+      : input_(input), schedule_(input.faces, target.faces(input.faces), budget.chunk_vertices()),
+        chunk_faces_(budget.chunk_faces()), chunk_vertices_(budget.chunk_vertices()),
         is_limited_(target.is_limited()), target_(target.faces(input.faces)),
         state_size_(state_size) {}
 
@@ -84,7 +84,7 @@ private:
     const double face = static_cast<double>(sizeof(FaceRow)) + (input_.has_labels ? 4 : 0) +
                         (is_limited_ ? sizeof(FaceBound) : 0);
     return (vertices_of(faces) * vertex + faces * face) *
-           (1.05 + 5 / std::sqrt(static_cast<double>(part_vertices_)));
+           (1.05 + 5 / std::sqrt(static_cast<double>(chunk_vertices_)));
   }
 
   std::uint64_t output_bytes() const {
@@ -95,12 +95,12 @@ private:
 
   // At most 32 chunks of a phase are sampled; a small chunk has a single sample.
   double bytes_of_samples() const {
-    const std::uint64_t parts = std::bit_ceil(input_.faces / part_faces_ + 1);
-    const std::uint64_t sampled = (std::min<std::uint64_t>)(parts, 32);
-    const std::uint64_t pieces = part_faces_ > 4 * 8000 * 32 / sampled ? 32 / sampled : 1;
-    return parts == 1 ? 0
-                      : static_cast<double>(sampled * pieces * CostHistogram::size *
-                                            sizeof(std::uint64_t));
+    const std::uint64_t chunks = std::bit_ceil(input_.faces / chunk_faces_ + 1);
+    const std::uint64_t sampled = (std::min<std::uint64_t>)(chunks, 32);
+    const std::uint64_t sample_count = chunk_faces_ > 4 * 8000 * 32 / sampled ? 32 / sampled : 1;
+    return chunks == 1 ? 0
+                       : static_cast<double>(sampled * sample_count * CostHistogram::size *
+                                             sizeof(std::uint64_t));
   }
 
   // Each phase has its chunks and their results at the same time, then the results and the chunks
@@ -109,24 +109,24 @@ private:
   std::uint64_t scratch_bytes() const {
     const auto all = static_cast<double>(input_.faces);
     const double samples = bytes_of_samples();
-    double parts = bytes_of(all, 0), most = parts + static_cast<double>(input_.made);
+    double chunks = bytes_of(all, 0), most = chunks + static_cast<double>(input_.made);
     for (std::size_t step = 0; step <= schedule_.size(); ++step) {
       double left = (std::min)(all, static_cast<double>(schedule_.wanted(step, target_)));
       if (is_limited_)
         left = (std::max)(left, all / 2);
       const double bytes = bytes_of(left, state_size_);
-      most = (std::max)({most, parts + samples + bytes, 2 * bytes});
-      parts = bytes;
+      most = (std::max)({most, chunks + samples + bytes, 2 * bytes});
+      chunks = bytes;
     }
     most = (std::max)(most, static_cast<double>(input_.making));
     if (input_.keeps_tiles)
-      most = (std::max)(most, parts + static_cast<double>(output_bytes()));
+      most = (std::max)(most, chunks + static_cast<double>(output_bytes()));
     return static_cast<std::uint64_t>(most);
   }
 
   const InputSize& input_;
   Schedule schedule_;
-  std::uint64_t part_faces_, part_vertices_;
+  std::uint64_t chunk_faces_, chunk_vertices_;
   bool is_limited_;
   std::uint64_t target_;
   std::size_t state_size_;

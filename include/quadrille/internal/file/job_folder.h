@@ -72,7 +72,7 @@ inline void remove_job_files(const std::filesystem::path& folder,
 /// phase-K/faces-P        its faces, as FaceRow
 /// phase-K/labels-P       the label of each face, if there are labels
 /// phase-K/bounds-P       a distance bound for each face, see FaceBound, if distances are limited
-/// phase-K/borders        edges of one face between vertices that are shared, as two numbers
+/// phase-K/boundaries        edges of one face between vertices that are shared, as two numbers
 /// phase-K/sample-P       the costs in samples of the chunk, see SampleFile
 /// phase-K/left-P         the remaining chunk: it exists once the chunk has been simplified
 /// phase-K/claims-N/      which process has which chunk, see TaskClaims
@@ -89,26 +89,26 @@ public:
   std::filesystem::path lock() const { return path_ / "lock"; }
   std::filesystem::path phase(unsigned k) const { return path_ / ("phase-" + std::to_string(k)); }
   std::filesystem::path plan(unsigned k) const { return phase(k) / "plan"; }
-  std::filesystem::path borders(unsigned k) const { return phase(k) / "borders"; }
-  std::filesystem::path vertices(unsigned k, std::size_t part) const {
-    return phase(k) / ("vertices-" + std::to_string(part));
+  std::filesystem::path boundaries(unsigned k) const { return phase(k) / "borders"; }
+  std::filesystem::path vertices(unsigned k, std::size_t chunk) const {
+    return phase(k) / ("vertices-" + std::to_string(chunk));
   }
-  std::filesystem::path faces(unsigned k, std::size_t part) const {
-    return phase(k) / ("faces-" + std::to_string(part));
+  std::filesystem::path faces(unsigned k, std::size_t chunk) const {
+    return phase(k) / ("faces-" + std::to_string(chunk));
   }
-  std::filesystem::path labels(unsigned k, std::size_t part) const {
-    return phase(k) / ("labels-" + std::to_string(part));
+  std::filesystem::path labels(unsigned k, std::size_t chunk) const {
+    return phase(k) / ("labels-" + std::to_string(chunk));
   }
-  std::filesystem::path bounds(unsigned k, std::size_t part) const {
-    return phase(k) / ("bounds-" + std::to_string(part));
+  std::filesystem::path bounds(unsigned k, std::size_t chunk) const {
+    return phase(k) / ("bounds-" + std::to_string(chunk));
   }
   /// The values of the labels, for all phases.
   std::filesystem::path label_table() const { return path_ / "labels"; }
-  std::filesystem::path left(unsigned k, std::size_t part) const {
-    return phase(k) / ("left-" + std::to_string(part));
+  std::filesystem::path left(unsigned k, std::size_t chunk) const {
+    return phase(k) / ("left-" + std::to_string(chunk));
   }
-  std::filesystem::path samples(unsigned k, std::size_t part) const {
-    return phase(k) / ("sample-" + std::to_string(part));
+  std::filesystem::path samples(unsigned k, std::size_t chunk) const {
+    return phase(k) / ("sample-" + std::to_string(chunk));
   }
   /// The folder in which a surface is made from a soup.
   std::filesystem::path welding() const { return path_ / "welding"; }
@@ -146,7 +146,7 @@ public:
         phase(k), {"plan", "vertices", "faces", "labels", "bounds", "borders", "sample", "left"});
   }
   /// Removes the chunks of a phase after all of them have been simplified.
-  void remove_parts(unsigned k) const {
+  void remove_chunks(unsigned k) const {
     remove_job_files(phase(k), {"vertices", "faces", "labels", "bounds", "borders", "sample"});
   }
   void remove_phases() const {

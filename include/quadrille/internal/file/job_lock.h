@@ -118,7 +118,7 @@ private:
       return false; // it is about to write its name
     }
     if (is_at_its_place())
-      return tell_owner(), true;
+      return write_owner(), true;
     close();
     return false;
   }
@@ -219,7 +219,7 @@ private:
     return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "this host";
   }
 
-  void tell_owner() {
+  void write_owner() {
     const std::string owner =
         owner_begin + std::to_string(::getpid()) + " of " + host_name() + "\n";
     if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, owner.data(), owner.size(), 0) !=

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_FILE_JOB_WATCH_H
 
 #include <quadrille/file_report.h>
-#include <quadrille/internal/file/parted_job.h>
+#include <quadrille/internal/file/chunked_job.h>
 
 #include <algorithm>
 #include <atomic>
@@ -22,7 +22,7 @@ namespace quadrille::internal {
 
 /// Runs tasks 0 to n − 1, each once, on several threads. After an exception no more tasks begin,
 /// and when all running tasks have ended, the exception of the lowest task is thrown.
-class PartThreads {
+class ChunkThreads {
 public:
   /// This thread calls `watch` now and then, if there is more than one thread.
   template <class Task, class Watch>
@@ -32,7 +32,7 @@ public:
         task(i);
       return;
     }
-    PartThreads all(n);
+    ChunkThreads all(n);
     {
       std::vector<std::jthread> workers;
       for (unsigned t = 0; t < std::min<std::size_t>(threads, n); ++t)
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  explicit PartThreads(std::size_t n) : errors_(n + 1) {}
+  explicit ChunkThreads(std::size_t n) : errors_(n + 1) {}
 
   template <class Task>
   void work(const Task& task) {
@@ -98,20 +98,20 @@ public:
   explicit JobWatch(std::function<bool(const FileStatus&)> proceed)
       : proceed_(std::move(proceed)) {}
 
-  /// Throws JobCancelled if the user cancels. `part` is the fraction of the stage that is done.
-  void tell(const PartedJob& job, FileStage stage, double part, std::size_t done = 0,
-            std::size_t parts = 0) const {
+  /// Throws JobCancelled if the user cancels. `fraction` is the fraction of the stage that is done.
+  void report(const ChunkedJob& job, FileStage stage, double fraction, std::size_t done = 0,
+              std::size_t chunks = 0) const {
     if (!proceed_)
       return;
     FileStatus status;
     status.stage = stage;
     status.phase = job.plan().phase;
     status.phases = status.phase == 0 ? 0 : static_cast<unsigned>(job.schedule().size() + 1);
-    status.parts = parts;
-    status.parts_done = done;
+    status.chunks = chunks;
+    status.chunks_done = done;
     status.faces = job.estimate().faces;
     status.estimate = job.estimate();
-    status.progress = progress(job, stage, part);
+    status.progress = progress(job, stage, fraction);
     if (!proceed_(status))
       throw JobCancelled();
   }
@@ -120,13 +120,13 @@ public:
   /// is_cancelled() now and then. If the user cancels, it throws JobCancelled after all running
   /// tasks have ended.
   template <class Task>
-  void run(const PartedJob& job, FileStage stage, std::size_t n, const Task& task) const {
+  void run(const ChunkedJob& job, FileStage stage, std::size_t n, const Task& task) const {
     std::atomic<bool> is_cancelled = false;
     std::atomic<std::size_t> done = 0;
     const unsigned threads = job.budget().in_flight();
     const auto look = [&] {
       try {
-        tell(job, stage, static_cast<double>(done) / static_cast<double>(n), done, n);
+        report(job, stage, static_cast<double>(done) / static_cast<double>(n), done, n);
       } catch (...) {
         is_cancelled = true;
         throw;
@@ -137,7 +137,7 @@ public:
         look();
       return is_cancelled.load();
     };
-    PartThreads::run(
+    ChunkThreads::run(
         n, threads,
         [&](std::size_t i) {
           if (ask())
@@ -151,25 +151,25 @@ public:
 private:
   // Cutting the file takes about an eighth of the work; the rest is about proportional to the
   // number of faces with which phases begin.
-  static double progress(const PartedJob& job, FileStage stage, double part) {
+  static double progress(const ChunkedJob& job, FileStage stage, double fraction) {
     const PhasePlan& plan = job.plan();
     if (stage <= FileStage::partition)
       return stage == FileStage::weld     ? 0
-             : stage == FileStage::survey ? 0.04 * part
-                                          : 0.04 + 0.06 * part;
+             : stage == FileStage::survey ? 0.04 * fraction
+                                          : 0.04 + 0.06 * fraction;
     const auto all = static_cast<double>((std::max<std::uint64_t>)(plan.input.counted_faces, 1));
     double before = 0, begin = all;
     for (const std::uint64_t left : plan.faces_after_phases)
       before += std::exchange(begin, static_cast<double>(left));
     const double whole = before + begin + (plan.is_last || plan.is_exact ? 0 : faces_to_come(job));
     const double now = stage == FileStage::sample     ? 0
-                       : stage == FileStage::simplify ? part * begin
+                       : stage == FileStage::simplify ? fraction * begin
                                                       : begin;
-    return stage == FileStage::sew ? 0.98 : 0.12 + 0.86 * (before + now) / whole;
+    return stage == FileStage::merge ? 0.98 : 0.12 + 0.86 * (before + now) / whole;
   }
 
   // Returns the number of faces with which the phases after this one begin.
-  static double faces_to_come(const PartedJob& job) {
+  static double faces_to_come(const ChunkedJob& job) {
     const Schedule schedule = job.schedule();
     const bool fits = job.budget().whole_faces() > 2 * job.target() + job.target() / 5;
     const std::size_t end =

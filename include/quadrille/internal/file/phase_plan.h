@@ -22,7 +22,7 @@
 namespace quadrille::internal {
 
 /// The files from which a chunk of a phase is read.
-struct PartFiles {
+struct ChunkFiles {
   FileContent vertices, faces;
   FileContent labels = {};   ///< of the faces; empty if there are none
   FileContent bounds = {};   ///< of the faces; empty if their distances are unknown
@@ -55,17 +55,17 @@ struct PhasePlan {
   unsigned attempt = 0;           ///< above 0: the phase had removed too much, and is repeated
   bool is_last = false;           ///< one chunk, which is simplified to the target itself
   bool is_exact = false;          ///< each chunk contributes its share of the excess faces
-  bool is_settled = false;        ///< is it known where its chunks end?
+  bool is_resolved = false;       ///< is it known where its chunks end?
   bool is_by_count = false;       ///< each chunk contributes its share of the faces above
                                   ///< `faces_wanted`
   double limit = 0;               ///< the greatest cost, in the engine's unit, if it is not the
                                   ///< last phase
   std::uint64_t faces_wanted = 0; ///< the target of the limit
   InputFacts input;
-  std::vector<PartFiles> parts;
-  FileContent borders;
+  std::vector<ChunkFiles> chunks;
+  FileContent boundaries;
   FileContent label_table;                         ///< empty if there are no labels
-  std::uint64_t first_parts = 0;                   ///< chunks of the first phase
+  std::uint64_t first_chunks = 0;                  ///< chunks of the first phase
   std::uint64_t first_shared = 0;                  ///< vertices that several of them had
   std::uint64_t bytes_read = 0, bytes_written = 0; ///< so far
   std::uint64_t contractions = 0;                  ///< of the phases that have ended
@@ -140,7 +140,7 @@ private:
     };
     const auto pass_content = [&](auto& file) { pass_all(file.size, file.checksum); };
     pass_all(plan.key, plan.phase, plan.step, plan.attempt, plan.is_last, plan.is_exact,
-             plan.is_settled, plan.is_by_count, plan.limit, plan.faces_wanted, plan.first_parts,
+             plan.is_resolved, plan.is_by_count, plan.limit, plan.faces_wanted, plan.first_chunks,
              plan.first_shared, plan.bytes_read, plan.bytes_written, plan.contractions, plan.error,
              plan.greatest_tolerance);
     for (auto& number : plan.rejections)
@@ -153,14 +153,14 @@ private:
       pass_all(input.box.low.coordinates[i], input.box.high.coordinates[i]);
     pass_list(input.ranges.low, pass);
     pass_list(input.ranges.high, pass);
-    pass_content(plan.borders);
+    pass_content(plan.boundaries);
     pass_content(plan.label_table);
-    pass_list(plan.parts, [&](auto& part) {
-      pass_content(part.vertices);
-      pass_content(part.faces);
-      pass_content(part.labels);
-      pass_content(part.bounds);
-      pass(part.doubled);
+    pass_list(plan.chunks, [&](auto& chunk) {
+      pass_content(chunk.vertices);
+      pass_content(chunk.faces);
+      pass_content(chunk.labels);
+      pass_content(chunk.bounds);
+      pass(chunk.doubled);
     });
     pass_list(plan.faces_after_phases, pass);
   }

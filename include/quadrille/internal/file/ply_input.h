@@ -338,15 +338,15 @@ private:
     std::size_t count = 1;
     if (property.is_list()) {
       const char* const bytes = taken(stream, property.count_type->size, face);
-      const double told = ply_number<is_swapped>(*property.count_type, bytes);
-      if (number == corners_ ? told != 3 : told < 0)
+      const double reported = ply_number<is_swapped>(*property.count_type, bytes);
+      if (number == corners_ ? reported != 3 : reported < 0)
         fail_file(file_.path(),
                   "face " + std::to_string(face) + " has " +
-                      std::to_string(static_cast<std::int64_t>(told)) +
+                      std::to_string(static_cast<std::int64_t>(reported)) +
                       (number == corners_
                            ? " corners, but by the size of the file all faces have three"
                            : " values in '" + property.name + "'"));
-      count = static_cast<std::size_t>(told);
+      count = static_cast<std::size_t>(reported);
     }
     if (number != corners_) {
       for (; count > 0; --count) {

@@ -21,15 +21,15 @@ namespace quadrille::internal {
 /// determine the limit exactly, and all chunks share the few faces that are too many then.
 class Schedule {
 public:
-  Schedule(std::uint64_t faces, std::uint64_t target, std::uint64_t part_vertices) {
+  Schedule(std::uint64_t faces, std::uint64_t target, std::uint64_t chunk_vertices) {
     const double n = static_cast<double>(std::max<std::uint64_t>(target, 1));
-    const double least_part = (std::min)(
-        0.25, 40 / std::sqrt(static_cast<double>(std::max<std::uint64_t>(part_vertices, 1))));
+    const double least_fraction = (std::min)(
+        0.25, 40 / std::sqrt(static_cast<double>(std::max<std::uint64_t>(chunk_vertices, 1))));
     double count = static_cast<double>(faces);
-    while (count * least_part > 4 * n)
-      add(count *= least_part);
+    while (count * least_fraction > 4 * n)
+      add(count *= least_fraction);
     const bool is_much = 4 * n > most_left * static_cast<double>(faces);
-    if (count > 5.6 * n && !(is_much && 2 * n >= 0.9 * least_part * count))
+    if (count > 5.6 * n && !(is_much && 2 * n >= 0.9 * least_fraction * count))
       add(count = 4 * n);
     if (count > 2.8 * n)
       add(2 * n);
@@ -53,7 +53,7 @@ public:
   }
   /// If distances are limited: does the limit stop the simplification, so that a phase has left
   /// many more faces than it aimed at?
-  static bool is_held(std::uint64_t after, std::uint64_t wanted) {
+  static bool is_met(std::uint64_t after, std::uint64_t wanted) {
     return after > wanted + wanted / 4;
   }
   /// Has a phase removed almost nothing?
@@ -71,10 +71,10 @@ public:
   static std::uint64_t share(std::uint64_t too_many, std::uint64_t begin, std::uint64_t end,
                              std::uint64_t all) {
     const auto given_before = [&](std::uint64_t faces) {
-      const double part = static_cast<double>(faces) / static_cast<double>(all);
+      const double fraction = static_cast<double>(faces) / static_cast<double>(all);
       return faces == all
                  ? too_many
-                 : static_cast<std::uint64_t>(part * static_cast<double>(too_many)) / 2 * 2;
+                 : static_cast<std::uint64_t>(fraction * static_cast<double>(too_many)) / 2 * 2;
     };
     return given_before(end) - given_before(begin);
   }

@@ -136,19 +136,19 @@ private:
   }
 
   // The number of corners in a section of the file, a multiple of three.
-  std::uint64_t piece() const {
+  std::uint64_t batch_size() const {
     return std::clamp<std::uint64_t>(memory_ / 4 / 12, 100, most_sorted / 3) * 3;
   }
-  std::filesystem::path piece_path(std::size_t i) const {
+  std::filesystem::path batch_path(std::size_t i) const {
     return folder_ / ("corners-" + std::to_string(i));
   }
 
   template <class Ask>
   void merge_runs(WholeFile& file, const Ask& ask) {
     std::vector<std::filesystem::path> paths;
-    for (std::uint64_t begin = 0; begin < 3 * faces_; begin += piece())
-      paths.push_back(piece_path(paths.size()));
-    AppendedFiles pieces(paths, memory_ / 4);
+    for (std::uint64_t begin = 0; begin < 3 * faces_; begin += batch_size())
+      paths.push_back(batch_path(paths.size()));
+    AppendedFiles batches(paths, memory_ / 4);
     std::string text = header(0);
     file.write(text.data(), text.size());
     std::vector<char> buffer;
@@ -158,14 +158,14 @@ private:
         ask();
       if (is_new)
         put_vertex(buffer, c.position());
-      const Named named{static_cast<std::uint32_t>(c.number() % piece()),
+      const Named named{static_cast<std::uint32_t>(c.number() % batch_size()),
                         static_cast<VertexId>(vertices_ - 1)};
-      pieces.add(static_cast<std::size_t>(c.number() / piece()), &named, sizeof(named));
+      batches.add(static_cast<std::size_t>(c.number() / batch_size()), &named, sizeof(named));
       if (buffer.size() >= (1 << 20))
         flush(buffer, file);
     });
     flush(buffer, file);
-    contents_ = pieces.finish();
+    contents_ = batches.finish();
     text = header(vertices_);
     file.write_at_begin(text.data(), text.size());
   }
@@ -200,7 +200,7 @@ private:
     std::vector<char> buffer;
     for (std::size_t i = 0; i < contents_.size(); ++i) {
       ask();
-      const auto named = read_rows<Named>(piece_path(i), contents_[i]);
+      const auto named = read_rows<Named>(batch_path(i), contents_[i]);
       std::vector<VertexId> vertices(named.size());
       for (const Named& n : named)
         vertices[n.corner] = n.vertex;
@@ -211,7 +211,7 @@ private:
         if (buffer.size() >= (1 << 20))
           flush(buffer, file);
       }
-      std::filesystem::remove(piece_path(i));
+      std::filesystem::remove(batch_path(i));
     }
     flush(buffer, file);
   }

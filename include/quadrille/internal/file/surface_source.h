@@ -1,15 +1,15 @@
 #ifndef QUADRILLE_INTERNAL_FILE_SURFACE_SOURCE_H
 #define QUADRILLE_INTERNAL_FILE_SURFACE_SOURCE_H
 
+#include <quadrille/internal/file/chunk_cut.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/job_estimate.h>
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/job_key.h>
-#include <quadrille/internal/file/part_cut.h>
 #include <quadrille/internal/file/ply_conversion.h>
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/stl_weld.h>
-#include <quadrille/internal/file/tile_sewing.h>
+#include <quadrille/internal/file/tile_merge.h>
 #include <quadrille/internal/file/vertex_weld.h>
 
 #include <algorithm>
@@ -34,10 +34,10 @@ public:
                 bool welds)
       : paths_(std::move(paths)), choice_(std::move(choice)), keeps_tiles_(keeps_tiles),
         welds_(welds) {
-    if (paths_.empty() || paths_.size() > most_parts)
+    if (paths_.empty() || paths_.size() > most_chunks)
       throw std::invalid_argument("quadrille::simplify_file: " + std::to_string(paths_.size()) +
                                   " files were given, but a surface has from 1 to " +
-                                  std::to_string(most_parts) + " tiles");
+                                  std::to_string(most_chunks) + " tiles");
     kinds_.resize(paths_.size());
     JobKey key;
     for (const std::filesystem::path& path : paths_)
@@ -215,24 +215,24 @@ private:
   void make_tiled(const std::filesystem::path& output, const JobFolder& folder,
                   std::uint64_t memory, const Ask& ask) const {
     if (!welds_)
-      return sew_tiles(output, folder, memory, ask);
-    const std::filesystem::path sewn = folder.welded_tile(paths_.size());
-    sew_tiles(sewn, folder, memory, ask);
-    VertexWeld::run(*PlyInput::made(sewn, paths_.front(), true), output, folder.welding(), memory,
+      return merge_tiles(output, folder, memory, ask);
+    const std::filesystem::path merged = folder.welded_tile(paths_.size());
+    merge_tiles(merged, folder, memory, ask);
+    VertexWeld::run(*PlyInput::made(merged, paths_.front(), true), output, folder.welding(), memory,
                     ask);
-    std::filesystem::remove(sewn);
+    std::filesystem::remove(merged);
   }
 
   template <class Ask>
-  void sew_tiles(const std::filesystem::path& output, const JobFolder& folder, std::uint64_t memory,
-                 const Ask& ask) const {
+  void merge_tiles(const std::filesystem::path& output, const JobFolder& folder,
+                   std::uint64_t memory, const Ask& ask) const {
     std::vector<std::filesystem::path> tiles = paths_;
     for (std::size_t i = 0; i < paths_.size(); ++i)
       if (kinds_[i] != Kind::ready) {
         tiles[i] = folder.welded_tile(i);
         make_ready(i, tiles[i], folder, memory, ask);
       }
-    TileSewing::run(tiles, paths_, choice_, keeps_tiles_, output);
+    TileMerge::run(tiles, paths_, choice_, keeps_tiles_, output);
     for (std::size_t i = 0; i < paths_.size(); ++i)
       if (kinds_[i] != Kind::ready)
         std::filesystem::remove(tiles[i]);

@@ -20,7 +20,7 @@
 namespace quadrille::internal {
 
 /// The counts and distances that all chunks of a run add up.
-struct PartCounters {
+struct ChunkCounters {
   std::uint64_t faces_before = 0, contractions = 0;
   std::array<std::uint64_t, rejection_causes> rejections{};
   double error = 0, seconds = 0;
@@ -30,8 +30,8 @@ struct PartCounters {
   std::array<double, 3> place_of_used{};
   std::uint32_t stop = 0; ///< a StopReason
 
-  static PartCounters of(const Report& report, double greatest_tolerance) {
-    PartCounters counters;
+  static ChunkCounters of(const Report& report, double greatest_tolerance) {
+    ChunkCounters counters;
     counters.greatest_tolerance = greatest_tolerance;
     counters.faces_before = report.faces_before;
     counters.contractions = report.contractions;
@@ -41,7 +41,7 @@ struct PartCounters {
     counters.distance_bound = report.distance_bound;
     counters.hausdorff_bound = report.hausdorff_bound;
     if (report.used_tolerance) {
-      counters.used_tolerance = report.used_tolerance->part;
+      counters.used_tolerance = report.used_tolerance->fraction;
       counters.place_of_used = report.used_tolerance->place;
     }
     counters.seconds = report.seconds.total();
@@ -54,7 +54,7 @@ struct PartCounters {
 struct SurvivorsHeader {
   std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '4'};
   std::uint64_t key = 0; ///< of the job
-  std::uint64_t phase = 0, part = 0;
+  std::uint64_t phase = 0, chunk = 0;
   std::uint64_t vertices = 0, faces = 0;
   std::uint64_t scalars = 0;    ///< per vertex, after the vertices
   std::uint64_t state_size = 0; ///< per vertex, in bytes, after the faces
@@ -63,7 +63,7 @@ struct SurvivorsHeader {
   std::uint64_t given = 0;      ///< vertices whose state before the phase is stored, after the
                                 ///< states
   std::uint64_t checksum = 0;   ///< of all that follows
-  PartCounters counters = {};
+  ChunkCounters counters = {};
 
   std::uint64_t content_size() const {
     return vertices * (sizeof(VertexRow) + scalars * sizeof(double) + state_size) +
@@ -137,7 +137,7 @@ struct Survivors {
   /// Returns the header, if the file is finished and belongs to this chunk of this job; nothing if
   /// it does not exist or does not end where it should.
   static std::optional<SurvivorsHeader> header(const std::filesystem::path& path, std::uint64_t key,
-                                               unsigned phase, std::size_t part) {
+                                               unsigned phase, std::size_t chunk) {
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
       return std::nullopt;
@@ -147,7 +147,7 @@ struct Survivors {
       return std::nullopt;
     file.read(0, &header, sizeof(header));
     const bool is_it = header.magic == SurvivorsHeader{}.magic && header.key == key &&
-                       header.phase == phase && header.part == part &&
+                       header.phase == phase && header.chunk == chunk &&
                        header.content_size() == file.size() - sizeof(header);
     return is_it ? std::optional(header) : std::nullopt;
   }

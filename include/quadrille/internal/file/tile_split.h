@@ -2,10 +2,10 @@
 #define QUADRILLE_INTERNAL_FILE_TILE_SPLIT_H
 
 #include <quadrille/internal/file/appended_files.h>
-#include <quadrille/internal/file/part_scatter.h>
+#include <quadrille/internal/file/chunk_scatter.h>
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/ply_output.h>
-#include <quadrille/internal/file/tile_sewing.h>
+#include <quadrille/internal/file/tile_merge.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace quadrille::internal {
 
-/// Splits a surface into the tiles from which TileSewing made it. Boundary vertices have the same
+/// Splits a surface into the tiles from which TileMerge made it. Boundary vertices have the same
 /// bits in all tiles.
 class TileSplit {
 public:
@@ -60,7 +60,7 @@ private:
 
   void give_faces() {
     input_.for_faces([&](std::uint64_t, const FaceRow& face, const LabelValues& values) {
-      const auto tile = static_cast<PartNumber>(values[tile_]);
+      const auto tile = static_cast<ChunkNumber>(values[tile_]);
       faces_.add(tile, face.data(), sizeof(face));
       faces_.add(tile, values.data(), values.size() * sizeof(values[0]));
       for (const VertexId corner : face)
@@ -73,7 +73,7 @@ private:
   void give_vertices() {
     input_.for_vertices([&](VertexId v, const Vector<3>& p, const std::vector<double>& scalars) {
       const VertexRow row{v, 0, p};
-      requests_.for_parts(v, [&](PartNumber tile) {
+      requests_.for_chunks(v, [&](ChunkNumber tile) {
         vertices_.add(tile, &row, sizeof(row));
         vertices_.add(tile, scalars.data(), scalars.size() * sizeof(double));
       });

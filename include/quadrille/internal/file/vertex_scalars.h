@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_FILE_VERTEX_SCALARS_H
 
 #include <quadrille/channel_options.h>
-#include <quadrille/internal/file/piece_adapter.h>
+#include <quadrille/internal/file/chunk_adapter.h>
 #include <quadrille/internal/file/ply_header.h>
 
 #include <algorithm>
@@ -76,11 +76,11 @@ public:
   /// Returns the channels in the engine's form, from rows of size() values. `diagonal` is the
   /// diagonal of the whole surface: with the ranges it determines the weight of a channel, so that
   /// it counts equally in all chunks.
-  PieceChannels piece(const std::vector<double>& values, const ScalarRanges& ranges,
-                      double diagonal, double importance) const {
-    PieceChannels result;
+  ChunkChannels channels(const std::vector<double>& values, const ScalarRanges& ranges,
+                         double diagonal, double importance) const {
+    ChunkChannels result;
     for (const Channel& channel : channels_) {
-      PieceChannel& to = result.channels.emplace_back();
+      ChunkChannel& to = result.channels.emplace_back();
       to.components = channel.properties.size();
       to.options.importance = importance * (channel.is_scalar() ? scalar_importance : 1);
       to.options.weights.assign(to.components, weight(channel, ranges, diagonal));

@@ -90,9 +90,9 @@ private:
     PlaceSort<Number> sort(folder_, memory_, input_.vertices());
     sort_used(sort, ask);
     std::vector<std::filesystem::path> paths;
-    for (std::uint64_t begin = 0; begin < input_.vertices(); begin += piece())
-      paths.push_back(piece_path(paths.size()));
-    AppendedFiles pieces(paths, memory_ / 4);
+    for (std::uint64_t begin = 0; begin < input_.vertices(); begin += batch_size())
+      paths.push_back(batch_path(paths.size()));
+    AppendedFiles batches(paths, memory_ / 4);
     std::uint64_t done = 0, first = 0;
     sort.for_sorted([&](const typename PlaceSort<Number>::Item& item, bool is_new) {
       if (done++ % often == 0)
@@ -100,9 +100,9 @@ private:
       if (is_new)
         first = item.number();
       else
-        weld(vertex_of(item.number()), first, item.number(), pieces);
+        weld(vertex_of(item.number()), first, item.number(), batches);
     });
-    contents_ = pieces.finish();
+    contents_ = batches.finish();
   }
 
   template <class Number, class Ask>
@@ -146,12 +146,12 @@ private:
     return static_cast<std::uint32_t>(checksum.value());
   }
 
-  void weld(VertexId v, std::uint64_t first, std::uint64_t sorted, AppendedFiles& pieces) {
+  void weld(VertexId v, std::uint64_t first, std::uint64_t sorted, AppendedFiles& batches) {
     if (static_cast<std::uint32_t>(first) != static_cast<std::uint32_t>(sorted))
       fail_seam(vertex_of(first), v);
     welded_.add(v);
-    const Welded welded{static_cast<std::uint32_t>(v % piece()), vertex_of(first)};
-    pieces.add(static_cast<std::size_t>(v / piece()), &welded, sizeof(welded));
+    const Welded welded{static_cast<std::uint32_t>(v % batch_size()), vertex_of(first)};
+    batches.add(static_cast<std::size_t>(v / batch_size()), &welded, sizeof(welded));
   }
   [[noreturn]] void fail_seam(VertexId first, VertexId v) const {
     std::string names;
@@ -163,13 +163,13 @@ private:
                   ", so they cannot be merged out of core; 'positions only' leaves it out");
   }
 
-  std::uint64_t piece() const {
+  std::uint64_t batch_size() const {
     return std::clamp<std::uint64_t>(memory_ / 4 / 12, 1000, 9'000'000);
   }
-  std::filesystem::path piece_path(std::uint64_t i) const {
+  std::filesystem::path batch_path(std::uint64_t i) const {
     return folder_ / ("corners-" + std::to_string(i));
   }
-  std::filesystem::path numbers_path() const { return piece_path(contents_.size()); }
+  std::filesystem::path numbers_path() const { return batch_path(contents_.size()); }
 
   // Writes the number that each vertex has in the output, one after another.
   template <class Ask>
@@ -178,16 +178,16 @@ private:
     vertices_ = input_.vertices() - welded_before.size();
     for (std::size_t i = 0; i < contents_.size(); ++i) {
       ask();
-      const std::uint64_t begin = i * piece();
+      const std::uint64_t begin = i * batch_size();
       std::vector<VertexId> numbers(
-          static_cast<std::size_t>((std::min)(piece(), input_.vertices() - begin)));
+          static_cast<std::size_t>((std::min)(batch_size(), input_.vertices() - begin)));
       std::iota(numbers.begin(), numbers.end(), static_cast<VertexId>(begin));
-      for (const Welded& w : read_rows<Welded>(piece_path(i), contents_[i]))
+      for (const Welded& w : read_rows<Welded>(batch_path(i), contents_[i]))
         numbers[w.vertex] = w.first;
       for (VertexId& number : numbers)
         number -= static_cast<VertexId>(welded_before(number));
       append_to_file(numbers_path(), numbers.data(), numbers.size() * sizeof(VertexId));
-      std::filesystem::remove(piece_path(i));
+      std::filesystem::remove(batch_path(i));
     }
   }
 

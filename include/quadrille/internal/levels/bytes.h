@@ -48,13 +48,13 @@ public:
   /// Appends an array of numbers: all first bytes, then all second bytes, and so on, since similar
   /// bytes compress well.
   template <Number T>
-  void put_column(const std::vector<T>& column) {
+  void put_array(const std::vector<T>& array) {
     const std::size_t begin = bytes_.size();
-    bytes_.resize(begin + column.size() * sizeof(T));
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      const auto bytes = little_endian<unsigned char>(column[i]);
+    bytes_.resize(begin + array.size() * sizeof(T));
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      const auto bytes = little_endian<unsigned char>(array[i]);
       for (std::size_t b = 0; b < sizeof(T); ++b)
-        bytes_[begin + b * column.size() + i] = bytes[b];
+        bytes_[begin + b * array.size() + i] = bytes[b];
     }
   }
   void put_text(const std::string& text) {
@@ -79,18 +79,18 @@ public:
     return little_endian_at<T>(take(sizeof(T)).data());
   }
   template <Number T>
-  std::vector<T> get_column(std::size_t count) {
+  std::vector<T> get_array(std::size_t count) {
     if (count > left() / sizeof(T))
       throw std::runtime_error("it ends too early");
     const std::span<const unsigned char> from = take(count * sizeof(T));
-    std::vector<T> column(count);
+    std::vector<T> array(count);
     for (std::size_t i = 0; i < count; ++i) {
       std::array<unsigned char, sizeof(T)> raw;
       for (std::size_t b = 0; b < sizeof(T); ++b)
         raw[b] = from[b * count + i];
-      column[i] = little_endian_at<T>(raw.data());
+      array[i] = little_endian_at<T>(raw.data());
     }
-    return column;
+    return array;
   }
   std::string get_text() {
     const std::span<const unsigned char> text = take(get<std::uint32_t>());

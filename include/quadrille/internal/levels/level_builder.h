@@ -222,9 +222,9 @@ private:
   // Fills a segment with the contractions from begin to end.
   void fill(LevelSegment& segment, const std::vector<ItemLives>& lives, std::size_t begin,
             std::size_t end) const {
-    const auto of_records = [&](const auto& column) {
-      return std::vector(column.begin() + static_cast<std::ptrdiff_t>(begin),
-                         column.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto of_records = [&](const auto& array) {
+      return std::vector(array.begin() + static_cast<std::ptrdiff_t>(begin),
+                         array.begin() + static_cast<std::ptrdiff_t>(end));
     };
     segment.faces_after = of_records(faces_after_);
     segment.are_bounds_both_ways = records_.knows_both_ways();

@@ -36,20 +36,20 @@ struct LevelTrack {
   }
 
   /// Returns the item that each item has become after the given contractions of the segment.
-  std::vector<Index> images(std::size_t contractions) const {
+  std::vector<Index> item_map(std::size_t contractions) const {
     const std::size_t left = items_at(contractions);
-    std::vector<Index> images(items());
-    std::iota(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(left), Index{0});
-    find_images(left, items(), images);
-    return images;
+    std::vector<Index> item_map(items());
+    std::iota(item_map.begin(), item_map.begin() + static_cast<std::ptrdiff_t>(left), Index{0});
+    find_map(left, items(), item_map);
+    return item_map;
   }
   /// Finds the items that the removed items from `begin` to `end` become. All before them are
   /// known.
-  void find_images(std::size_t begin, std::size_t end, std::vector<Index>& images) const {
+  void find_map(std::size_t begin, std::size_t end, std::vector<Index>& item_map) const {
     const std::size_t first_to_go = items() - parents.size();
     for (std::size_t i = (std::max)(begin, first_to_go); i < (std::min)(end, items()); ++i) {
       const Index parent = parents[i - first_to_go];
-      images[i] = parent == none ? none : images[parent];
+      item_map[i] = parent == none ? none : item_map[parent];
     }
   }
 
@@ -75,11 +75,11 @@ struct LevelTrack {
   }
   /// Returns the corners of the first faces at that time.
   std::vector<std::array<Index, 3>> corners_at(std::size_t contractions, std::size_t faces) const {
-    const std::vector<Index> images = this->images(contractions);
+    const std::vector<Index> item_map = this->item_map(contractions);
     std::vector<std::array<Index, 3>> left(faces);
     for (std::size_t face = 0; face < faces; ++face)
       for (std::size_t i = 0; i < 3; ++i)
-        left[face][i] = images[corners[face][i]];
+        left[face][i] = item_map[corners[face][i]];
     return left;
   }
 };

@@ -46,7 +46,7 @@ public:
       offset += block.stored;
       return block;
     };
-    write_front(file); // of its final length
+    write_header(file); // of its final length
     offset = static_cast<std::uint64_t>(file.tellp());
     for (std::size_t s = levels_.segments_.size(); s-- > 0;)
       directory_.segments[s] =
@@ -54,7 +54,7 @@ public:
     for (std::size_t s = levels_.segments_.size(); s-- > 0;)
       directory_.inputs[s] = put(inputs(s));
     file.seekp(0);
-    write_front(file);
+    write_header(file);
   }
 
 private:
@@ -69,15 +69,15 @@ private:
          knows ? static_cast<float>(segment.bound_at(place.contractions)) : 0});
   }
 
-  void write_front(std::ostream& file) const {
+  void write_header(std::ostream& file) const {
     const Bytes directory = directory_.write();
-    ByteWriter front;
+    ByteWriter header;
     for (unsigned char c : LevelDirectory::magic)
-      front.put(c);
-    front.put(LevelDirectory::version);
-    front.put(std::uint64_t{directory.size()});
-    front.put(checksum_of(directory));
-    for (const Bytes& bytes : {front.bytes(), directory})
+      header.put(c);
+    header.put(LevelDirectory::version);
+    header.put(std::uint64_t{directory.size()});
+    header.put(checksum_of(directory));
+    for (const Bytes& bytes : {header.bytes(), directory})
       file.write(reinterpret_cast<const char*>(bytes.data()),
                  static_cast<std::streamsize>(bytes.size()));
   }
@@ -89,10 +89,10 @@ private:
     const Stage &begin = directory_.stages[s], &end = directory_.stages[s + 1];
     ByteWriter writer;
     const auto put = [&](const std::vector<Index>& inputs, std::size_t from, std::size_t to) {
-      const std::vector<Index> part(inputs.begin() + static_cast<std::ptrdiff_t>(from),
-                                    inputs.begin() + static_cast<std::ptrdiff_t>(to));
-      writer.put(static_cast<std::uint32_t>(part.size()));
-      writer.put_column(part);
+      const std::vector<Index> slice(inputs.begin() + static_cast<std::ptrdiff_t>(from),
+                                     inputs.begin() + static_cast<std::ptrdiff_t>(to));
+      writer.put(static_cast<std::uint32_t>(slice.size()));
+      writer.put_array(slice);
     };
     put(levels_.input_faces_, is_last ? 0 : end.faces, begin.faces);
     put(levels_.input_vertices_, is_last ? 0 : end.vertices, begin.vertices);

@@ -15,17 +15,17 @@
 
 namespace quadrille::internal {
 
-/// A segment of levels as bytes: counts, then columns.
+/// A segment of levels as bytes: counts, then arrays.
 ///
 ///     u32 contractions, faces; f32 error before, bound before; u8 bounds are known, 2 if both ways
 ///     [contractions] faces that go, as u8 after a 1, or as u32 after a 4
 ///     f32 [contractions] errors; bounds, if they are known
 ///     each track: u32 items, parents, changes; u8 bytes of a number, 4 or 8
-///       u32 [faces] the corners, three columns
-///       f32 or f64 [items] the numbers, a column each
+///       u32 [faces] the corners, three arrays
+///       f32 or f64 [items] the numbers, an array each
 ///       u32 [parents] what items become
 ///       [contractions] items that go; changes, both as the faces that go
-///       u32 [changes] the items that change; f32 or f64 [changes] their numbers, a column each
+///       u32 [changes] the items that change; f32 or f64 [changes] their numbers, an array each
 class SegmentBytes {
 public:
   /// Writes numbers as doubles, or as floats if that is requested or changes none of them.
@@ -39,8 +39,8 @@ public:
                                          : segment.are_bounds_both_ways ? 2
                                                                         : 1));
     put_small(steps_down(segment.faces_after, segment.faces()), writer);
-    writer.put_column(segment.errors);
-    writer.put_column(segment.bounds);
+    writer.put_array(segment.errors);
+    writer.put_array(segment.bounds);
     for (const LevelTrack& track : segment.tracks)
       write(track, rounds_to_floats, writer);
     return writer.take();
@@ -57,15 +57,15 @@ public:
     const auto known = reader.get<std::uint8_t>();
     segment.are_bounds_both_ways = known == 2;
     segment.faces_after = sums_down(get_small(contractions, reader), faces);
-    segment.errors = reader.get_column<float>(contractions);
-    segment.bounds = reader.get_column<float>(known != 0 ? contractions : 0);
+    segment.errors = reader.get_array<float>(contractions);
+    segment.bounds = reader.get_array<float>(known != 0 ? contractions : 0);
     for (std::size_t width : widths)
       segment.tracks.push_back(read_track(width, contractions, faces, reader));
     require(reader.left() == 0, "a segment is longer than its header says");
     require_ascending(segment.errors, segment.error_before);
     require_ascending(segment.bounds, segment.bound_before);
     for (const LevelTrack& track : segment.tracks)
-      require_images(segment, track);
+      require_parents(segment, track);
     require_steps(segment.tracks.front());
     return segment;
   }
@@ -77,11 +77,11 @@ private:
   }
 
   // Returns the decrease of an array from each number to the next, which is small.
-  static std::vector<Index> steps_down(const std::vector<Index>& column, std::size_t before) {
+  static std::vector<Index> steps_down(const std::vector<Index>& array, std::size_t before) {
     std::vector<Index> steps;
-    steps.reserve(column.size());
+    steps.reserve(array.size());
     auto last = static_cast<Index>(before);
-    for (Index value : column) {
+    for (Index value : array) {
       steps.push_back(last - value);
       last = value;
     }
@@ -95,11 +95,11 @@ private:
     }
     return steps;
   }
-  static std::vector<Index> steps_up(const std::vector<Index>& column) {
+  static std::vector<Index> steps_up(const std::vector<Index>& array) {
     std::vector<Index> steps;
-    steps.reserve(column.size());
+    steps.reserve(array.size());
     Index last = 0;
-    for (Index value : column) {
+    for (Index value : array) {
       steps.push_back(value - last);
       last = value;
     }
@@ -116,19 +116,19 @@ private:
   }
 
   // Writes small numbers, in a byte each if that is enough.
-  static void put_small(const std::vector<Index>& column, ByteWriter& writer) {
+  static void put_small(const std::vector<Index>& array, ByteWriter& writer) {
     const bool are_bytes =
-        std::all_of(column.begin(), column.end(), [](Index value) { return value < 256; });
+        std::all_of(array.begin(), array.end(), [](Index value) { return value < 256; });
     writer.put(static_cast<std::uint8_t>(are_bytes ? 1 : 4));
     if (are_bytes)
-      writer.put_column(std::vector<std::uint8_t>(column.begin(), column.end()));
+      writer.put_array(std::vector<std::uint8_t>(array.begin(), array.end()));
     else
-      writer.put_column(column);
+      writer.put_array(array);
   }
   static std::vector<Index> get_small(std::size_t count, ByteReader& reader) {
     if (reader.get<std::uint8_t>() != 1)
-      return reader.get_column<Index>(count);
-    const std::vector<std::uint8_t> bytes = reader.get_column<std::uint8_t>(count);
+      return reader.get_array<Index>(count);
+    const std::vector<std::uint8_t> bytes = reader.get_array<std::uint8_t>(count);
     return {bytes.begin(), bytes.end()};
   }
 
@@ -141,11 +141,11 @@ private:
   static void write_numbers(const std::vector<double>& values, std::size_t width,
                             ByteWriter& writer) {
     for (std::size_t k = 0; k < width; ++k) {
-      std::vector<T> column;
-      column.reserve(values.size() / width);
+      std::vector<T> array;
+      array.reserve(values.size() / width);
       for (std::size_t i = k; i < values.size(); i += width)
-        column.push_back(static_cast<T>(values[i]));
-      writer.put_column(column);
+        array.push_back(static_cast<T>(values[i]));
+      writer.put_array(array);
     }
   }
   template <class T>
@@ -154,10 +154,10 @@ private:
     require(count <= reader.left() / width, "it ends too early");
     std::vector<double> values(count * width);
     for (std::size_t k = 0; k < width; ++k) {
-      const std::vector<T> column = reader.get_column<T>(count);
+      const std::vector<T> array = reader.get_array<T>(count);
       for (std::size_t i = 0; i < count; ++i) {
-        values[i * width + k] = static_cast<double>(column[i]);
-        require(std::isfinite(column[i]), "a number is not finite");
+        values[i * width + k] = static_cast<double>(array[i]);
+        require(std::isfinite(array[i]), "a number is not finite");
       }
     }
     return values;
@@ -177,17 +177,17 @@ private:
     writer.put(static_cast<std::uint32_t>(track.changed.size()));
     writer.put(static_cast<std::uint8_t>(as_floats ? 4 : 8));
     for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<Index> column;
-      column.reserve(track.corners.size());
+      std::vector<Index> array;
+      array.reserve(track.corners.size());
       for (const auto& corners : track.corners)
-        column.push_back(corners[k]);
-      writer.put_column(column);
+        array.push_back(corners[k]);
+      writer.put_array(array);
     }
     write_all(track.values);
-    writer.put_column(track.parents);
+    writer.put_array(track.parents);
     put_small(steps_down(track.items_after, track.items()), writer);
     put_small(steps_up(track.change_ends), writer);
-    writer.put_column(track.changed);
+    writer.put_array(track.changed);
     write_all(track.changed_values);
   }
 
@@ -204,19 +204,19 @@ private:
       return bytes == 4 ? read_numbers<float>(count, width, reader)
                         : read_numbers<double>(count, width, reader);
     };
-    std::array<std::vector<Index>, 3> columns;
-    for (auto& column : columns)
-      column = reader.get_column<Index>(faces);
+    std::array<std::vector<Index>, 3> arrays;
+    for (auto& array : arrays)
+      array = reader.get_array<Index>(faces);
     track.corners.resize(faces);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t f = 0; f < faces; ++f) {
-        require((track.corners[f][k] = columns[k][f]) < items, "a corner is out of range");
+        require((track.corners[f][k] = arrays[k][f]) < items, "a corner is out of range");
       }
     track.values = read_all(items);
-    track.parents = reader.get_column<Index>(parents);
+    track.parents = reader.get_array<Index>(parents);
     track.items_after = sums_down(get_small(contractions, reader), items);
     track.change_ends = sums_up(get_small(contractions, reader), changes);
-    track.changed = reader.get_column<Index>(changes);
+    track.changed = reader.get_array<Index>(changes);
     track.changed_values = read_all(changes);
     require_consistent(track);
     return track;
@@ -234,15 +234,15 @@ private:
       require(item < track.items(), "a change is out of range");
   }
 
-  static void require_ascending(const std::vector<float>& column, float before) {
-    for (float value : column) {
+  static void require_ascending(const std::vector<float>& array, float before) {
+    for (float value : array) {
       require(value >= before, "an error decreases"); // false for a NaN
       before = value;
     }
   }
 
   // Requires that the corners of a face exist as long as the face.
-  static void require_images(const LevelSegment& segment, const LevelTrack& track) {
+  static void require_parents(const LevelSegment& segment, const LevelTrack& track) {
     const std::size_t first = track.items() - track.parents.size();
     std::vector<Index> last(track.items()); // the item that each one finally becomes
     for (Index i = 0; i < last.size(); ++i)

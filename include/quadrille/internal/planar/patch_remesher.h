@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/internal/planar/patch_borders.h>
+#include <quadrille/internal/planar/patch_boundaries.h>
 #include <quadrille/internal/planar/patch_growth.h>
 #include <quadrille/internal/planar/patch_triangulation.h>
 #include <quadrille/internal/planar/remeshed_surface.h>
@@ -30,18 +30,18 @@ namespace quadrille::internal {
 class PatchRemesher {
 public:
   /// The amount of a patch that stays.
-  enum class Kept : unsigned char { corners, border, all };
+  enum class Kept : unsigned char { corners, boundary, all };
 
   PatchRemesher(std::span<const Vector<3>> positions, const SurfaceSides& sides,
                 std::vector<PlanarPatch> patches, const std::vector<Index>& patch_of,
-                PatchBorders& borders)
-      : sides_(sides), patches_(std::move(patches)), patch_of_(patch_of), borders_(borders),
-        triangulation_(positions, sides, borders), states_(patches_.size()),
+                PatchBoundaries& boundaries)
+      : sides_(sides), patches_(std::move(patches)), patch_of_(patch_of), boundaries_(boundaries),
+        triangulation_(positions, sides, boundaries), states_(patches_.size()),
         is_waiting_(patches_.size(), 1) {
-    for (Index corner : borders.closed_sectors()) {
+    for (Index corner : boundaries.closed_sectors()) {
       State& state = states_[patch_of[SurfaceSides::face(corner)]];
       ++state.closed_sectors;
-      if (borders.is_kept(sides.to(corner)))
+      if (boundaries.is_kept(sides.to(corner)))
         state.inner.push_back(corner);
     }
     list_ends();
@@ -89,7 +89,7 @@ private:
   // Lists the boundary sides that lead to each vertex.
   void list_ends() {
     for (Index s = 0; s < sides_.size(); ++s)
-      if (borders_.is_border(s))
+      if (boundaries_.is_boundary(s))
         ends_.push_back({sides_.to(s), s});
     std::sort(ends_.begin(), ends_.end());
   }
@@ -100,9 +100,9 @@ private:
     state.triangles.clear();
     if (state.kept == Kept::all || has_all(patch))
       return;
-    const std::vector<BorderPart> border = border_of(patch);
-    auto triangles = triangulation_.triangulate(patches_[patch].normal, border, state.inner);
-    if (!triangles || !has_same_topology(patch, border.size(), triangles->size()))
+    const std::vector<BoundarySection> boundary = boundary_of(patch);
+    auto triangles = triangulation_.triangulate(patches_[patch].normal, boundary, state.inner);
+    if (!triangles || !has_same_topology(patch, boundary.size(), triangles->size()))
       return keep_more(patch);
     state.is_new = true;
     state.triangles = std::move(*triangles);
@@ -118,42 +118,42 @@ private:
   // Are all vertices of the patch kept?
   bool has_all(Index patch) const {
     bool are_all = true;
-    for_each_side(patch, [&](Index s) { are_all &= borders_.is_kept(sides_.to(s)); });
+    for_each_side(patch, [&](Index s) { are_all &= boundaries_.is_kept(sides_.to(s)); });
     return are_all;
   }
 
-  std::vector<BorderPart> border_of(Index patch) const {
-    std::vector<BorderPart> parts;
+  std::vector<BoundarySection> boundary_of(Index patch) const {
+    std::vector<BoundarySection> sections;
     for_each_side(patch, [&](Index s) {
-      if (!borders_.is_border(s) || !borders_.is_kept(sides_.to(s)))
+      if (!boundaries_.is_boundary(s) || !boundaries_.is_kept(sides_.to(s)))
         return;
-      Index end = borders_.next(s);
-      while (!borders_.is_kept(sides_.to(end)))
-        end = borders_.next(end);
-      parts.push_back({s, end});
+      Index end = boundaries_.next(s);
+      while (!boundaries_.is_kept(sides_.to(end)))
+        end = boundaries_.next(end);
+      sections.push_back({s, end});
     });
-    return parts;
+    return sections;
   }
 
   // Checks that faces - edges + vertices, counted inside, is as before. A face has three sides, and
   // two sides form an edge inside.
-  bool has_same_topology(Index patch, std::size_t border, std::size_t faces) const {
-    std::size_t border_before = 0;
-    for_each_side(patch, [&](Index s) { border_before += borders_.is_border(s); });
+  bool has_same_topology(Index patch, std::size_t boundary, std::size_t faces) const {
+    std::size_t boundary_before = 0;
+    for_each_side(patch, [&](Index s) { boundary_before += boundaries_.is_boundary(s); });
     const State& state = states_[patch];
-    return border + 2 * state.inner.size() + patches_[patch].faces.size() ==
-           border_before + 2 * state.closed_sectors + faces;
+    return boundary + 2 * state.inner.size() + patches_[patch].faces.size() ==
+           boundary_before + 2 * state.closed_sectors + faces;
   }
 
   void keep_more(Index patch) {
     State& state = states_[patch];
-    state.kept = state.kept == Kept::corners ? Kept::border : Kept::all;
+    state.kept = state.kept == Kept::corners ? Kept::boundary : Kept::all;
     wait(patch);
     for_each_side(patch, [&](Index s) {
       const Index v = sides_.to(s);
-      if (!borders_.is_border(s) || borders_.is_kept(v))
+      if (!boundaries_.is_boundary(s) || boundaries_.is_kept(v))
         return;
-      borders_.keep(v);
+      boundaries_.keep(v);
       for (auto end = std::lower_bound(ends_.begin(), ends_.end(), End{v, 0});
            end != ends_.end() && end->first == v; ++end)
         wait(patch_of_[SurfaceSides::face(end->second)]);
@@ -227,7 +227,7 @@ private:
     }
     std::vector<Index> free; // one side of each edge that was inside
     for_each_side(patch, [&](Index s) {
-      if (!borders_.is_border(s) && s < sides_.mate(s))
+      if (!boundaries_.is_boundary(s) && s < sides_.mate(s))
         free.push_back(s);
     });
     const std::size_t begin = faces.size();
@@ -252,7 +252,7 @@ private:
   const SurfaceSides& sides_;
   std::vector<PlanarPatch> patches_;
   const std::vector<Index>& patch_of_;
-  PatchBorders& borders_;
+  PatchBoundaries& boundaries_;
   PatchTriangulation triangulation_;
   std::vector<State> states_;
   std::vector<unsigned char> is_waiting_;

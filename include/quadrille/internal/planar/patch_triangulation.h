@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_PLANAR_PATCH_TRIANGULATION_H
 
 #include <quadrille/internal/core/base/index.h>
-#include <quadrille/internal/planar/patch_borders.h>
+#include <quadrille/internal/planar/patch_boundaries.h>
 #include <quadrille/internal/planar/surface_sides.h>
 #include <quadrille/quadric_form.h>
 
@@ -26,7 +26,7 @@ namespace quadrille::internal {
 
 /// A straight section of the boundary of a patch, from the corner at the end of one boundary side
 /// to the corner at the end of another; the patch is on its left.
-struct BorderPart {
+struct BoundarySection {
   Index from, to; ///< boundary sides
 };
 
@@ -44,18 +44,19 @@ struct PatchTriangle {
 class PatchTriangulation {
 public:
   PatchTriangulation(std::span<const Vector<3>> positions, const SurfaceSides& sides,
-                     const PatchBorders& borders)
-      : positions_(positions), sides_(sides), borders_(borders), number_(positions.size(), none) {}
+                     const PatchBoundaries& boundaries)
+      : positions_(positions), sides_(sides), boundaries_(boundaries),
+        number_(positions.size(), none) {}
 
   /// `inner` are the corners of vertices inside. Returns the triangles, or nothing if boundaries
   /// intersect, touch where they have no vertex, or do not bound a region of the plane.
   std::optional<std::vector<PatchTriangle>> triangulate(const Vector<3>& normal,
-                                                        std::span<const BorderPart> border,
+                                                        std::span<const BoundarySection> boundary,
                                                         std::span<const Index> inner) {
-    collect_places(border, inner);
+    collect_places(boundary, inner);
     std::optional<std::vector<PatchTriangle>> triangles;
-    if (insert(normal, border) && find_sides(border) && find_inside() &&
-        find_corners(border, inner))
+    if (insert(normal, boundary) && find_sides(boundary) && find_inside() &&
+        find_corners(boundary, inner))
       triangles = inside_triangles();
     for (Index v : places_)
       number_[v] = none;
@@ -64,8 +65,8 @@ public:
 
 private:
   struct FaceInfo {
-    std::array<Index, 3> parts; // sections of the boundary, opposite to each corner, with the face
-                                // on the left
+    std::array<Index, 3> sections; // sections of the boundary, opposite to each corner, with the
+                                   // face on the left
     std::array<Index, 3> corners; // sides of the input
     Index number;                 // its number among the triangles inside
   };
@@ -79,10 +80,10 @@ private:
   using Face = Triangulation::Face_handle;
   using Vertex = Triangulation::Vertex_handle;
 
-  Index place(Index side) const { return borders_.place(sides_.to(side)); }
+  Index place(Index side) const { return boundaries_.place(sides_.to(side)); }
   Index number(Index side) const { return number_[place(side)]; }
 
-  void collect_places(std::span<const BorderPart> border, std::span<const Index> inner) {
+  void collect_places(std::span<const BoundarySection> boundary, std::span<const Index> inner) {
     places_.clear();
     const auto add = [&](Index side) {
       const Index v = place(side);
@@ -91,15 +92,15 @@ private:
       number_[v] = static_cast<Index>(places_.size());
       places_.push_back(v);
     };
-    for (const BorderPart& part : border)
-      add(part.to);
+    for (const BoundarySection& section : boundary)
+      add(section.to);
     for (Index side : inner)
       add(side);
   }
 
   // Returns false if there is no plane, if two positions coincide, or if constraints intersect.
-  bool insert(const Vector<3>& normal, std::span<const BorderPart> border) {
-    if (border.empty() || normal == Vector<3>{})
+  bool insert(const Vector<3>& normal, std::span<const BoundarySection> boundary) {
+    if (boundary.empty() || normal == Vector<3>{})
       return false;
     triangulation_.clear();
     vertices_.clear();
@@ -114,10 +115,11 @@ private:
       }
       if (triangulation_.number_of_vertices() != places_.size() || triangulation_.dimension() != 2)
         return false;
-      for (const BorderPart& part : border) {
-        if (number(part.from) == number(part.to))
+      for (const BoundarySection& section : boundary) {
+        if (number(section.from) == number(section.to))
           return false;
-        triangulation_.insert_constraint(vertices_[number(part.from)], vertices_[number(part.to)]);
+        triangulation_.insert_constraint(vertices_[number(section.from)],
+                                         vertices_[number(section.to)]);
       }
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
       return false;
@@ -140,14 +142,14 @@ private:
 
   // Stores for each face the sections of the boundary along its sides. Returns false if a section
   // is not an edge, or occurs twice.
-  bool find_sides(std::span<const BorderPart> border) {
+  bool find_sides(std::span<const BoundarySection> boundary) {
     struct Directed {
-      Index from, to, part;
+      Index from, to, section;
       auto ends() const { return std::tie(from, to); }
     };
     std::vector<Directed> directed;
-    for (Index i = 0; i < border.size(); ++i)
-      directed.push_back({number(border[i].from), number(border[i].to), i});
+    for (Index i = 0; i < boundary.size(); ++i)
+      directed.push_back({number(boundary[i].from), number(boundary[i].to), i});
     const auto is_less = [](const Directed& a, const Directed& b) { return a.ends() < b.ends(); };
     std::sort(directed.begin(), directed.end(), is_less);
     std::size_t found = 0;
@@ -162,11 +164,11 @@ private:
             std::equal_range(directed.begin(), directed.end(), wanted, is_less);
         if (begin == end)
           continue;
-        face->info().parts[static_cast<std::size_t>(i)] = begin->part;
+        face->info().sections[static_cast<std::size_t>(i)] = begin->section;
         ++found;
       }
     }
-    return found == border.size();
+    return found == boundary.size();
   }
 
   // Numbers the faces on the left of the boundary, and the faces that are connected with them.
@@ -180,12 +182,12 @@ private:
       inside_.push_back(face);
     };
     for (Face face : triangulation_.finite_face_handles())
-      if (face->info().parts != std::array<Index, 3>{none, none, none})
+      if (face->info().sections != std::array<Index, 3>{none, none, none})
         add(face);
     for (std::size_t k = 0; k < inside_.size(); ++k)
       for (int i = 0; i < 3; ++i) {
         const Face face = inside_[k];
-        if (face->is_constrained(i) && face->info().parts[static_cast<std::size_t>(i)] == none)
+        if (face->is_constrained(i) && face->info().sections[static_cast<std::size_t>(i)] == none)
           return false;
         if (face->is_constrained(i))
           continue;
@@ -198,16 +200,16 @@ private:
 
   // Assigns to all corners of a sector the end of the boundary section that leads to it, and to all
   // corners of a vertex inside its own. Returns false if a corner is left.
-  bool find_corners(std::span<const BorderPart> border, std::span<const Index> inner) {
+  bool find_corners(std::span<const BoundarySection> boundary, std::span<const Index> inner) {
     for (Face first : inside_)
       for (int i = 0; i < 3; ++i) {
-        const Index part = first->info().parts[static_cast<std::size_t>(i)];
-        if (part == none)
+        const Index section = first->info().sections[static_cast<std::size_t>(i)];
+        if (section == none)
           continue;
         const Vertex v = first->vertex(first->cw(i));
         for (Face face = first;;) {
           const int at = face->index(v);
-          face->info().corners[static_cast<std::size_t>(at)] = border[part].to;
+          face->info().corners[static_cast<std::size_t>(at)] = boundary[section].to;
           if (face->is_constrained(face->cw(at)))
             break;
           face = face->neighbor(face->cw(at));
@@ -243,7 +245,7 @@ private:
 
   std::span<const Vector<3>> positions_;
   const SurfaceSides& sides_;
-  const PatchBorders& borders_;
+  const PatchBoundaries& boundaries_;
   std::vector<Index> number_; // for each vertex, its index in places_; none for others
   std::vector<Index> places_;
   std::vector<Vertex> vertices_; // for each place

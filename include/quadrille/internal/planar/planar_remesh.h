@@ -6,9 +6,9 @@
 #include <quadrille/internal/core/input/input_with_channels.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/internal/planar/border_chains.h>
+#include <quadrille/internal/planar/boundary_chains.h>
 #include <quadrille/internal/planar/flatness.h>
-#include <quadrille/internal/planar/patch_borders.h>
+#include <quadrille/internal/planar/patch_boundaries.h>
 #include <quadrille/internal/planar/patch_growth.h>
 #include <quadrille/internal/planar/patch_remesher.h>
 #include <quadrille/internal/planar/remeshed_surface.h>
@@ -27,7 +27,7 @@ namespace quadrille::internal {
 
 /// The number of patches, and of those that kept more than their corners.
 struct PatchCounts {
-  std::size_t all = 0, with_border = 0, unchanged = 0;
+  std::size_t all = 0, with_boundary = 0, unchanged = 0;
 };
 
 /// Finds for each side whether a patch may have the faces on both sides of its edge. This excludes
@@ -87,13 +87,13 @@ inline std::pair<RemeshedSurface, PatchCounts> remesh(InputWithChannels input, F
     return may_cross[side] != 0 &&
            patch_of[SurfaceSides::face(side)] == patch_of[SurfaceSides::face(sides.mate(side))];
   };
-  PatchBorders borders(positions, sides, is_inside,
-                       [&](Index v) { return !input.is_fixed.empty() && input.is_fixed[v]; });
-  BorderChains(borders, positions, limits.height).straighten();
+  PatchBoundaries boundaries(positions, sides, is_inside,
+                             [&](Index v) { return !input.is_fixed.empty() && input.is_fixed[v]; });
+  BoundaryChains(boundaries, positions, limits.height).straighten();
 
-  PatchRemesher remesher(positions, sides, std::move(patches), patch_of, borders);
+  PatchRemesher remesher(positions, sides, std::move(patches), patch_of, boundaries);
   remesher.remesh();
-  const PatchCounts counts{remesher.patch_count(), remesher.count(PatchRemesher::Kept::border),
+  const PatchCounts counts{remesher.patch_count(), remesher.count(PatchRemesher::Kept::boundary),
                            remesher.count(PatchRemesher::Kept::all)};
   Array<RemeshedFace> faces = remesher.faces(); // before the input is released
   return {RemeshedSurface(std::move(input), std::move(faces)), counts};

@@ -50,7 +50,7 @@ public:
     return inputs;
   }
   /// The vertex that a vertex of the input has become: itself, if it is left.
-  Index image(Index input) const { return input; }
+  Index merged_vertex(Index input) const { return input; }
 
   TriangleComplex::Triangle corners(Index face) const {
     const auto number = [&](std::size_t i) { return numbers_[vertex_at(faces_[face].corners[i])]; };

@@ -46,8 +46,8 @@ public:
 
   /// Returns the face that a point exceeds least; a good estimate of that face makes the search
   /// faster.
-  Nearest nearest(const DistancePoint& p, std::size_t guess = 0) const {
-    Nearest best{guess, excess(guess, p)};
+  Nearest nearest(const DistancePoint& p, std::size_t hint = 0) const {
+    Nearest best{hint, excess(hint, p)};
     look_into(0, p, best);
     return best;
   }

@@ -14,34 +14,34 @@ struct CheckCancelled {};
 /// it.
 class CheckProgress {
 public:
-  CheckProgress(std::function<bool(double)> told, std::size_t stages)
-      : reported_(std::move(told)), stages_(static_cast<double>(stages)) {}
+  CheckProgress(std::function<bool(double)> reported, std::size_t stages)
+      : reported_(std::move(reported)), stages_(static_cast<double>(stages)) {}
 
   /// Reports the fraction of the present stage that is done, from 0 to 1. Throws CheckCancelled.
-  void at(double part) {
-    part_ = part;
-    tell();
+  void at(double fraction) {
+    fraction_ = fraction;
+    report();
   }
   /// Counts a step; there are too many steps to report each one.
   void step() {
     if (++steps_ % steps_between_words == 0)
-      tell();
+      report();
   }
   void next_stage() {
     ++stage_;
-    part_ = 0;
+    fraction_ = 0;
   }
 
 private:
   static constexpr std::size_t steps_between_words = 256;
 
-  void tell() const {
-    if (reported_ && !reported_((static_cast<double>(stage_) + part_) / stages_))
+  void report() const {
+    if (reported_ && !reported_((static_cast<double>(stage_) + fraction_) / stages_))
       throw CheckCancelled{};
   }
 
   std::function<bool(double)> reported_;
-  double stages_, part_ = 0;
+  double stages_, fraction_ = 0;
   std::size_t stage_ = 0, steps_ = 0;
 };
 

@@ -31,20 +31,20 @@ void add_tolerances(const Mesh& input, const NamedParameters& named, Claims& cla
 
 /// Adds the vertex_to_vertex_map, if it is given, as numbers.
 template <class MeshA, class MeshB, class NamedParameters>
-void add_images(const MeshA& input, const MeshB& result, const NamedParameters& named,
-                Claims& claims) {
+void add_vertex_map(const MeshA& input, const MeshB& result, const NamedParameters& named,
+                    Claims& claims) {
   const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_to_vertex);
   if constexpr (is_map_given<decltype(map)>) {
     const auto number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), result);
     std::size_t count = 0;
     for (const auto v : vertices(result))
       put(number, v, count++);
-    claims.images.clear();
+    claims.vertex_map.clear();
     for (const auto v : vertices(input)) {
-      const auto image = get(map, v);
-      claims.images.push_back(image == boost::graph_traits<MeshB>::null_vertex()
-                                  ? parameters::vanished
-                                  : get(number, image));
+      const auto mapped = get(map, v);
+      claims.vertex_map.push_back(mapped == boost::graph_traits<MeshB>::null_vertex()
+                                      ? parameters::vanished
+                                      : get(number, mapped));
     }
   }
 }

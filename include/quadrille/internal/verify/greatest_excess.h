@@ -42,18 +42,18 @@ public:
 
   /// Takes in all points of a triangle.
   void look_at(const DistanceTriangle& t, double allowance) {
-    pieces_.push_back({{t[0], t[1], t[2]}, 0});
-    while (!pieces_.empty()) {
+    cells_.push_back({{t[0], t[1], t[2]}, 0});
+    while (!cells_.empty()) {
       progress_.step();
-      const Piece piece = std::move(pieces_.back());
-      pieces_.pop_back();
-      look_at(piece, allowance);
+      const Cell cell = std::move(cells_.back());
+      cells_.pop_back();
+      look_at(cell, allowance);
     }
   }
 
 private:
   using Polygon = std::vector<DistancePoint>; // convex
-  struct Piece {
+  struct Cell {
     Polygon corners;
     int cuts; ///< the number of cuts along faces that led to this polygon
   };
@@ -61,8 +61,8 @@ private:
   static constexpr double rounding = 0x1p-44; // for coordinates in the frame, which are about 1
 
   double measure(const DistancePoint& p, double allowance) {
-    const auto [face, excess] = faces_.nearest(p, guess_);
-    guess_ = face;
+    const auto [face, excess] = faces_.nearest(p, hint_);
+    hint_ = face;
     if (excess - allowance > greatest_) {
       greatest_ = excess - allowance;
       place_ = p;
@@ -70,16 +70,16 @@ private:
     return excess - allowance;
   }
 
-  void look_at(const Piece& piece, double allowance) {
-    const DistancePoint middle = middle_of(piece.corners);
+  void look_at(const Cell& cell, double allowance) {
+    const DistancePoint middle = middle_of(cell.corners);
     const double excess = measure(middle, allowance);
-    const std::size_t face = guess_;
-    const double farthest = std::sqrt(CGAL::squared_distance(middle, farthest_from(middle, piece)));
-    if (excess + farthest <= greatest_ + error_ || is_near(piece.corners, face, allowance))
+    const std::size_t face = hint_;
+    const double farthest = std::sqrt(CGAL::squared_distance(middle, farthest_from(middle, cell)));
+    if (excess + farthest <= greatest_ + error_ || is_near(cell.corners, face, allowance))
       return;
-    if (piece.cuts < most_cuts && cut_along(face, piece, allowance))
+    if (cell.cuts < most_cuts && cut_along(face, cell, allowance))
       return;
-    halve(piece, middle);
+    halve(cell, middle);
   }
 
   bool is_near(const Polygon& corners, std::size_t face, double allowance) const {
@@ -94,8 +94,8 @@ private:
       sum = sum + (p - CGAL::ORIGIN);
     return CGAL::ORIGIN + sum / static_cast<double>(corners.size());
   }
-  static DistancePoint farthest_from(const DistancePoint& middle, const Piece& piece) {
-    return *std::max_element(piece.corners.begin(), piece.corners.end(),
+  static DistancePoint farthest_from(const DistancePoint& middle, const Cell& cell) {
+    return *std::max_element(cell.corners.begin(), cell.corners.end(),
                              [&](const DistancePoint& p, const DistancePoint& q) {
                                return CGAL::squared_distance(p, middle) <
                                       CGAL::squared_distance(q, middle);
@@ -104,10 +104,10 @@ private:
 
   /// Cuts off the parts beyond the sides of a face; false if there are none, or if nothing else
   /// would be left.
-  bool cut_along(std::size_t face, const Piece& piece, double allowance) {
+  bool cut_along(std::size_t face, const Cell& cell, double allowance) {
     const DistanceTriangle& t = faces_.triangle(face);
     const DistanceVector normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-    Polygon over = piece.corners;
+    Polygon over = cell.corners;
     std::vector<Polygon> beyond;
     for (int i = 0; i < 3; ++i) {
       DistanceVector out = CGAL::cross_product(t[(i + 1) % 3] - t[i], normal);
@@ -124,18 +124,18 @@ private:
     if (beyond.empty())
       return false;
     for (Polygon& polygon : beyond)
-      pieces_.push_back({std::move(polygon), piece.cuts + 1});
+      cells_.push_back({std::move(polygon), cell.cuts + 1});
     if (!is_near(over, face, allowance))
-      halve({over, piece.cuts + 1}, middle_of(over));
+      halve({over, cell.cuts + 1}, middle_of(over));
     return true;
   }
 
-  void halve(const Piece& piece, const DistancePoint& middle) {
-    const DistanceVector along = farthest_from(middle, piece) - middle;
-    auto [first, second] = cut(piece.corners, middle, along / std::sqrt(along.squared_length()));
+  void halve(const Cell& cell, const DistancePoint& middle) {
+    const DistanceVector along = farthest_from(middle, cell) - middle;
+    auto [first, second] = cut(cell.corners, middle, along / std::sqrt(along.squared_length()));
     for (Polygon* half : {&first, &second})
       if (!half->empty())
-        pieces_.push_back({std::move(*half), piece.cuts});
+        cells_.push_back({std::move(*half), cell.cuts});
   }
 
   /// Returns the part of a polygon behind a plane and the part in front of it. If the polygon
@@ -169,8 +169,8 @@ private:
   double error_, greatest_;
   CheckProgress& progress_;
   DistancePoint place_{0, 0, 0};
-  std::size_t guess_ = 0;
-  std::vector<Piece> pieces_;
+  std::size_t hint_ = 0;
+  std::vector<Cell> cells_;
 };
 
 } // namespace quadrille::internal

@@ -112,7 +112,8 @@ private:
       return CGAL::cross_product(face[1] - face[0], face[2] - face[0]);
     };
     const auto along = CGAL::cross_product(normal(s), normal(t));
-    const auto of_s = part_of(s, t[0], normal(t), along), of_t = part_of(t, s[0], normal(s), along);
+    const auto of_s = section_of(s, t[0], normal(t), along),
+               of_t = section_of(t, s[0], normal(s), along);
     return of_s && of_t &&
            (std::max)(of_s->first, of_t->first) < (std::min)(of_s->second, of_t->second);
   }
@@ -133,8 +134,8 @@ private:
   // of it.
   template <class Vector>
   static std::optional<std::pair<Rational, Rational>>
-  part_of(const RationalTriangle& face, const RationalKernel::Point_3& in_plane,
-          const Vector& normal, const Vector& along) {
+  section_of(const RationalTriangle& face, const RationalKernel::Point_3& in_plane,
+             const Vector& normal, const Vector& along) {
     std::array<Rational, 3> height, place;
     for (std::size_t i = 0; i < 3; ++i) {
       height[i] = (face[i] - in_plane) * normal;

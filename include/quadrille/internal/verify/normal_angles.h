@@ -33,18 +33,18 @@ public:
     std::size_t first_unknown = 0; ///< the first of these
   };
 
-  /// `images` gives, for each vertex of the input, the vertex of the result that it has become, or
-  /// no vertex of the result if there is none. Throws std::invalid_argument if their number is not
-  /// the number of input vertices.
-  NormalAngles(const SurfaceView& input, const std::vector<std::size_t>& images,
+  /// `vertex_map` gives, for each vertex of the input, the vertex of the result that it has become,
+  /// or no vertex of the result if there is none. Throws std::invalid_argument if their number is
+  /// not the number of input vertices.
+  NormalAngles(const SurfaceView& input, const std::vector<std::size_t>& vertex_map,
                const SurfaceView& result)
-      : input_(input), images_(images), result_(result) {
-    if (images.size() != input.points.size())
+      : input_(input), vertex_map_(vertex_map), result_(result) {
+    if (vertex_map.size() != input.points.size())
       throw std::invalid_argument(
           "quadrille::verify: the number of images is not the number of vertices of the input");
-    std::set<Corners> fronts;
+    std::set<Corners> forward_faces;
     for (std::size_t face = 0; face < result.triangles.size(); ++face)
-      if (is_front(result.triangles[face], fronts)) {
+      if (is_forward(result.triangles[face], forward_faces)) {
         const Corners& f = result.triangles[face];
         faces_[rotated(f)].push_back(face);
         for (std::size_t i = 0; i < 3; ++i)
@@ -54,18 +54,18 @@ public:
 
   Greatest measure() const {
     Greatest greatest;
-    std::set<Corners> fronts;
+    std::set<Corners> forward_faces;
     std::set<std::size_t> known;
     for (const Corners& face : input_.triangles) {
-      if (!is_front(face, fronts))
+      if (!is_forward(face, forward_faces))
         continue;
-      const std::vector<std::size_t> images = faces_of(face);
+      const std::vector<std::size_t> mapped_faces = faces_of(face);
       if (is_face(face))
-        known.insert(images.begin(), images.end());
+        known.insert(mapped_faces.begin(), mapped_faces.end());
       if (const auto normal = normal_of(input_, face))
-        for (std::size_t image : images)
-          if (const auto other = normal_of(result_, result_.triangles[image]))
-            take(*normal, *other, image, greatest);
+        for (std::size_t mapped : mapped_faces)
+          if (const auto other = normal_of(result_, result_.triangles[mapped]))
+            take(*normal, *other, mapped, greatest);
     }
     for (const auto& [corners, faces] : faces_)
       for (const std::size_t face : faces)
@@ -87,16 +87,16 @@ private:
   }
 
   /// The first side of a double-sided face stands for both sides.
-  static bool is_front(const Corners& face, std::set<Corners>& fronts) {
-    if (fronts.contains(rotated({face[1], face[0], face[2]})))
+  static bool is_forward(const Corners& face, std::set<Corners>& forward_faces) {
+    if (forward_faces.contains(rotated({face[1], face[0], face[2]})))
       return false;
-    fronts.insert(rotated(face));
+    forward_faces.insert(rotated(face));
     return true;
   }
 
   /// Has the face become a face of the result?
   bool is_face(const Corners& face) const {
-    const std::size_t a = images_[face[0]], b = images_[face[1]], c = images_[face[2]];
+    const std::size_t a = vertex_map_[face[0]], b = vertex_map_[face[1]], c = vertex_map_[face[2]];
     return a != b && b != c && c != a;
   }
 
@@ -104,15 +104,15 @@ private:
   /// lies.
   std::vector<std::size_t> faces_of(const Corners& face) const {
     if (std::any_of(face.begin(), face.end(),
-                    [&](std::size_t v) { return images_[v] >= result_.points.size(); }))
+                    [&](std::size_t v) { return vertex_map_[v] >= result_.points.size(); }))
       return {};
-    const auto image_of = [&](std::size_t i) {
-      return static_cast<std::uint32_t>(images_[face[i]]);
+    const auto mapped_of = [&](std::size_t i) {
+      return static_cast<std::uint32_t>(vertex_map_[face[i]]);
     };
-    const Corners image{image_of(0), image_of(1), image_of(2)};
-    const std::set<std::size_t> different(image.begin(), image.end());
+    const Corners mapped{mapped_of(0), mapped_of(1), mapped_of(2)};
+    const std::set<std::size_t> different(mapped.begin(), mapped.end());
     if (different.size() == 3)
-      return found(faces_, rotated(image), rotated({image[1], image[0], image[2]}));
+      return found(faces_, rotated(mapped), rotated({mapped[1], mapped[0], mapped[2]}));
     if (different.size() == 2)
       return found(at_edges_, std::pair(*different.begin(), *different.rbegin()));
     return {};
@@ -152,7 +152,7 @@ private:
   }
 
   SurfaceView input_;
-  const std::vector<std::size_t>& images_;
+  const std::vector<std::size_t>& vertex_map_;
   SurfaceView result_;
   std::map<Corners, std::vector<std::size_t>> faces_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> at_edges_;

@@ -3,8 +3,8 @@
 
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_surface.h>
-#include <quadrille/internal/verify/matched_parts.h>
-#include <quadrille/internal/verify/solid_parts.h>
+#include <quadrille/internal/verify/matched_components.h>
+#include <quadrille/internal/verify/solid_components.h>
 #include <quadrille/internal/verify/umbrellas_of_solid.h>
 #include <quadrille/verdict.h>
 
@@ -39,8 +39,8 @@ public:
     add("open edges", 0, after.open_edges(), result_.points[after.open_at()]);
     look_at_doubled_faces();
     if (after.open_edges() == 0) {
-      before_ = solid_parts(input_, before, progress_);
-      after_ = solid_parts(result_, after, progress_);
+      before_ = solid_components(input_, before, progress_);
+      after_ = solid_components(result_, after, progress_);
       compare();
     }
     return std::move(findings_);
@@ -75,51 +75,53 @@ private:
   }
 
   void compare() {
-    const std::vector<std::size_t> images = MatchedParts(before_, after_).match();
+    const std::vector<std::size_t> matches = MatchedComponents(before_, after_).match();
     const bool are_as_many = before_.size() == after_.size();
-    add("components", before_.size(), after_.size(), are_as_many ? Place() : place_of_odd(images));
-    add_parts("components with a different number of handles", images,
-              [&](auto i, auto j) { return before_[i].euler_number == after_[j].euler_number; });
-    add_parts("components turned inside out, or without volume", images, [&](auto i, auto j) {
+    add("components", before_.size(), after_.size(), are_as_many ? Place() : place_of_odd(matches));
+    add_components("components with a different number of handles", matches, [&](auto i, auto j) {
+      return before_[i].euler_number == after_[j].euler_number;
+    });
+    add_components("components turned inside out, or without volume", matches, [&](auto i, auto j) {
       return before_[i].shape.orientation() == after_[j].shape.orientation();
     });
-    add_parts("components inside other components than before", images, [&](auto i, auto j) {
+    add_components("components inside other components than before", matches, [&](auto i, auto j) {
       std::vector<std::size_t> around;
       for (const std::size_t other : before_[i].around)
-        if (images[other] != MatchedParts::none)
-          around.push_back(images[other]);
+        if (matches[other] != MatchedComponents::none)
+          around.push_back(matches[other]);
       std::sort(around.begin(), around.end());
-      return around == known(after_[j].around, images);
+      return around == known(after_[j].around, matches);
     });
   }
 
   /// Returns the components that a component before has become.
-  static std::vector<std::size_t> known(std::vector<std::size_t> parts,
-                                        const std::vector<std::size_t>& images) {
-    std::erase_if(parts, [&](std::size_t part) {
-      return std::find(images.begin(), images.end(), part) == images.end();
+  static std::vector<std::size_t> known(std::vector<std::size_t> components,
+                                        const std::vector<std::size_t>& matches) {
+    std::erase_if(components, [&](std::size_t component) {
+      return std::find(matches.begin(), matches.end(), component) == matches.end();
     });
-    return parts;
+    return components;
   }
 
   /// Returns the place of a component that is new or gone.
-  Place place_of_odd(const std::vector<std::size_t>& images) const {
-    for (std::size_t i = 0; i < images.size(); ++i)
-      if (images[i] == MatchedParts::none)
+  Place place_of_odd(const std::vector<std::size_t>& matches) const {
+    for (std::size_t i = 0; i < matches.size(); ++i)
+      if (matches[i] == MatchedComponents::none)
         return before_[i].shape.place();
     for (std::size_t j = 0; j < after_.size(); ++j)
-      if (std::find(images.begin(), images.end(), j) == images.end())
+      if (std::find(matches.begin(), matches.end(), j) == matches.end())
         return after_[j].shape.place();
     return std::nullopt;
   }
 
   template <class AreAlike>
-  void add_parts(const char* claim, const std::vector<std::size_t>& images, AreAlike are_alike) {
+  void add_components(const char* claim, const std::vector<std::size_t>& matches,
+                      AreAlike are_alike) {
     std::size_t count = 0;
     Place place;
-    for (std::size_t i = 0; i < images.size(); ++i)
-      if (images[i] != MatchedParts::none && !are_alike(i, images[i]) && count++ == 0)
-        place = after_[images[i]].shape.place();
+    for (std::size_t i = 0; i < matches.size(); ++i)
+      if (matches[i] != MatchedComponents::none && !are_alike(i, matches[i]) && count++ == 0)
+        place = after_[matches[i]].shape.place();
     add(claim, 0, count, place);
   }
 
@@ -127,10 +129,9 @@ private:
     add(claim, promised, measured, place, measured == promised);
   }
   void add(const char* claim, std::size_t promised, std::size_t measured, const Place& place,
-           bool is_held) {
-    Finding finding{claim, static_cast<double>(promised), static_cast<double>(measured), 0,
-                    is_held};
-    if (place && !is_held)
+           bool is_met) {
+    Finding finding{claim, static_cast<double>(promised), static_cast<double>(measured), 0, is_met};
+    if (place && !is_met)
       finding.place = std::ldexp(1.0, unit_) * *place;
     findings_.push_back(std::move(finding));
   }
@@ -138,7 +139,7 @@ private:
   int unit_;
   TriangleSoup<> input_, result_;
   CheckProgress& progress_;
-  std::vector<SolidPart> before_, after_;
+  std::vector<SolidComponent> before_, after_;
   std::vector<Finding> findings_;
 };
 

@@ -22,9 +22,9 @@ class UmbrellasOfSolid {
 public:
   explicit UmbrellasOfSolid(const SurfaceView& surface)
       : surface_(surface), umbrella_(3 * surface.triangles.size()),
-        part_(surface.triangles.size()) {
+        component_(surface.triangles.size()) {
     std::iota(umbrella_.begin(), umbrella_.end(), std::size_t{0});
-    std::iota(part_.begin(), part_.end(), std::size_t{0});
+    std::iota(component_.begin(), component_.end(), std::size_t{0});
     std::map<Edge, std::vector<Side>> sides_of_edge;
     for (std::size_t face = 0; face < surface.triangles.size(); ++face)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ public:
 
   /// Returns one face of the component that a face belongs to; it is the same for all faces of the
   /// component.
-  std::size_t part_of(std::size_t face) { return root(part_, face); }
+  std::size_t component_of(std::size_t face) { return root(component_, face); }
 
   /// Returns the number of umbrellas, which are the vertices of the manifold, of the faces of a
   /// component.
@@ -120,7 +120,7 @@ private:
   void join(const Side& down, const Side& up) {
     unite(umbrella_, corner(down, 0), corner(up, 1));
     unite(umbrella_, corner(down, 1), corner(up, 0));
-    unite(part_, down.face, up.face);
+    unite(component_, down.face, up.face);
   }
   static std::size_t corner(const Side& side, std::size_t i) {
     return 3 * side.face + (side.corner + i) % 3;
@@ -135,7 +135,7 @@ private:
 
   SurfaceView surface_;
   Roots umbrella_; // for each corner, another one of its umbrella, or itself
-  Roots part_;     // for each face, another one of its component, or itself
+  Roots component_; // for each face, another one of its component, or itself
   std::size_t open_edges_ = 0, open_at_ = 0;
 };
 

@@ -30,8 +30,8 @@ class VertexNumbers {
 public:
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
-  explicit VertexNumbers(VertexIndexMap indices, Workspace* workspace = nullptr)
-      : indices_(indices), vertices_(workspace), places_(workspace) {}
+  explicit VertexNumbers(VertexIndexMap indices, Arena* arena = nullptr)
+      : indices_(indices), vertices_(arena), places_(arena) {}
 
   void read(const Mesh& mesh) {
     vertices_.clear();
@@ -94,14 +94,14 @@ public:
   using Face = typename Traits::face_descriptor;
 
   FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes,
-                   Workspace& workspace, Maps channels = {})
-      : workspace_(&workspace), mesh_(mesh), points_(points), vertices_(indices, &workspace),
+                   Arena& arena, Maps channels = {})
+      : arena_(&arena), mesh_(mesh), points_(points), vertices_(indices, &arena),
         attributes_(attributes), channels_(std::move(channels)) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle and a vertex that is not
   /// finite.
   Input read() {
-    Input surface(workspace_);
+    Input surface(arena_);
     vertices_.read(mesh_);
     surface.reserve(vertices_.size(), num_faces(mesh_));
     read_vertices(surface);
@@ -109,7 +109,7 @@ public:
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
     if constexpr (has_channels_in<Maps>)
-      channels_.read(mesh_, vertices_, *workspace_, surface);
+      channels_.read(mesh_, vertices_, *arena_, surface);
     return surface;
   }
   /// Releases memory that write() can fill again.
@@ -145,14 +145,13 @@ public:
   /// these.
   ///
   /// Everything that can throw (memory, the user's maps) comes before the first change of the
-  /// connectivity, and is undone if it does. It calls `tell` as described for Reporter. Returns how
-  /// many vertices it had to duplicate.
-  template <class Result, class Tell>
-  std::size_t write(const Result& result, Tell tell) {
+  /// connectivity, and is undone if it does. It calls `reporter` as described for Reporter. Returns
+  /// how many vertices it had to duplicate.
+  template <class Result, class AnyReporter>
+  std::size_t write(const Result& result, AnyReporter reporter) {
     vertices_.read(mesh_);
-    return FaceGraphWriter(mesh_, points_, vertices_, attributes_, channels_, named_edges_,
-                           workspace_)
-        .write(result, tell);
+    return FaceGraphWriter(mesh_, points_, vertices_, attributes_, channels_, named_edges_, arena_)
+        .write(result, reporter);
   }
 
 private:
@@ -187,7 +186,7 @@ private:
     TriangleComplex::check_size(0, surface.triangles.size());
   }
 
-  Workspace* workspace_;
+  Arena* arena_;
   Mesh& mesh_;
   PointMap points_;
   VertexNumbers<Mesh, VertexIndexMap> vertices_;

@@ -35,23 +35,23 @@ public:
 
   /// `vertices` are those of the mesh, in the order in which they were read.
   FaceGraphWriter(Mesh& mesh, PointMap points, Vertices& vertices, Attributes& attributes,
-                  Channels& channels, NamedEdges<Edge>& named_edges, Workspace* workspace)
-      : workspace_(workspace), mesh_(mesh), points_(points), vertices_(vertices),
-        attributes_(attributes), channels_(channels), named_edges_(named_edges) {}
+                  Channels& channels, NamedEdges<Edge>& named_edges, Arena* arena)
+      : arena_(arena), mesh_(mesh), points_(points), vertices_(vertices), attributes_(attributes),
+        channels_(channels), named_edges_(named_edges) {}
 
   /// See FaceGraphAdapter::write.
-  template <class Result, class Tell>
-  std::size_t write(const Result& result, Tell tell) {
+  template <class Result, class AnyReporter>
+  std::size_t write(const Result& result, AnyReporter reporter) {
     number_vertices(result);
     collect_faces(result);
     umbrellas_.build(sides_, left_.size(), [this](Index i, Index j) {
       return opposite(halfedges_[i], mesh_) == halfedges_[j];
     });
     if (!result.is_closed())
-      collect_border(result);
+      collect_boundary(result);
     choose_halfedges(result);
     doomed_edges_.resize(num_edges(mesh_));
-    write_points(result, tell);
+    write_points(result, reporter);
     write_connectivity();
     return umbrellas_.duplicates().size();
   }
@@ -59,7 +59,7 @@ public:
 private:
   // The data that write_points has overwritten.
   struct Undo {
-    explicit Undo(Workspace* workspace) : points(workspace) {}
+    explicit Undo(Arena* arena) : points(arena) {}
 
     Array<std::pair<Vertex, Point>> points;
     std::vector<std::pair<Vertex, AttributeValue<Attributes>>> attributes;
@@ -85,7 +85,7 @@ private:
   // Returns the number of the vertex into which v was merged.
   template <class Result>
   Index number_of(Index v, const Result& result) const {
-    return number_[result.image(v)];
+    return number_[result.merged_vertex(v)];
   }
 
   // With the halfedges to their corners, which are in the order of read().
@@ -129,7 +129,7 @@ private:
   // Collects the sides of a result whose faces may have sides of any faces.
   template <class Result>
   void collect_given_sides(const Result& result, std::size_t left) {
-    Array<Halfedge> inputs(workspace_);
+    Array<Halfedge> inputs(arena_);
     inputs.reserve(3 * result.input_face_count());
     for (Face f : faces(mesh_)) {
       inputs.push_back(halfedge(f, mesh_));
@@ -143,8 +143,8 @@ private:
 
   // Adds the edges that were on the boundary, by the vertices into which their ends were merged.
   template <class Result>
-  void collect_border(const Result& result) {
-    std::vector<std::pair<Side, Edge>> border;
+  void collect_boundary(const Result& result) {
+    std::vector<std::pair<Side, Edge>> boundary;
     for (Halfedge h : halfedges(mesh_)) {
       if (!CGAL::is_border(h, mesh_))
         continue;
@@ -152,9 +152,9 @@ private:
                       number_of(vertices_.index(target(h, mesh_)), result)};
       const Edge e = edge(h, mesh_);
       if (side.from != side.to && !named_edges_.contains(side, e))
-        border.emplace_back(side, e);
+        boundary.emplace_back(side, e);
     }
-    for (const auto& [side, e] : border)
+    for (const auto& [side, e] : boundary)
       named_edges_.add(side.from, side.to, e, false);
     named_edges_.sort();
   }
@@ -185,25 +185,25 @@ private:
   }
 
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
-  template <class Result, class Tell>
-  void write_points(const Result& result, Tell& tell) {
+  template <class Result, class AnyReporter>
+  void write_points(const Result& result, AnyReporter& reporter) {
     std::vector<Vertex> added;
     added.reserve(umbrellas_.duplicates().size()); // so that none is lost
     std::vector<Vertex> originals;
     for (Index number : umbrellas_.duplicates())
       originals.push_back(vertices_[left_[number]]);
-    Undo undo(workspace_);
+    Undo undo(arena_);
     try {
       for (Index number = 0; number < left_.size(); ++number) {
         const Vertex v = vertices_[left_[number]];
         if (result.is_moved(number))
           write_position(v, result.position(number), undo);
-        tell.vertex(v, number, result);
+        reporter.vertex(v, number, result);
       }
       channels_.write(
           result, left_.size(), [this](Index v) { return vertices_[left_[v]]; }, chosen_);
-      if constexpr (Tell::asks_for_images)
-        tell_images(result, tell);
+      if constexpr (AnyReporter::asks_for_vertex_map)
+        report_vertex_map(result, reporter);
       add_duplicates(mesh_, originals, added);
       for (std::size_t i = 0; i < added.size(); ++i) {
         left_.push_back(vertices_.add(added[i]));
@@ -211,10 +211,10 @@ private:
         if constexpr (Attributes::size > 0)
           attributes_.put_raw(added[i], attributes_.raw(originals[i]));
         channels_.copy(originals[i], added[i]);
-        tell.vertex(added[i], umbrellas_.duplicates()[i], result);
+        reporter.vertex(added[i], umbrellas_.duplicates()[i], result);
       }
       for (std::size_t i = 0; i < added.size(); ++i)
-        tell.duplicate(added[i], originals[i]);
+        reporter.duplicate(added[i], originals[i]);
     } catch (...) {
       for (Vertex v : added)
         remove_vertex(v, mesh_);
@@ -223,11 +223,12 @@ private:
     }
   }
 
-  template <class Result, class Tell>
-  void tell_images(const Result& result, Tell& tell) const {
+  template <class Result, class AnyReporter>
+  void report_vertex_map(const Result& result, AnyReporter& reporter) const {
     for (Index v = 0; v < number_.size(); ++v) {
       const Index number = number_of(v, result);
-      tell.image(vertices_[v], number == none ? Traits::null_vertex() : vertices_[left_[number]]);
+      reporter.map_vertex(vertices_[v],
+                          number == none ? Traits::null_vertex() : vertices_[left_[number]]);
     }
   }
 
@@ -259,22 +260,22 @@ private:
 
   Vertex vertex_at(Index corner) const { return vertices_[left_[umbrellas_.vertex(corner)]]; }
 
-  Workspace* workspace_;
+  Arena* arena_;
   Mesh& mesh_;
   PointMap points_;
   Vertices& vertices_; // with those that write() adds
   Attributes& attributes_;
   Channels& channels_;
   NamedEdges<Edge>& named_edges_;
-  Array<Index> left_{workspace_};   // the vertices that are left, with the duplicates
-  Array<Index> number_{workspace_}; // of each vertex that was read: where it is in left_
-  Array<Face> faces_{workspace_};   // the faces that are left
-  Array<Side> sides_{workspace_};   // three a face, of numbers in left_: side k leads to corner k
-  Array<Halfedge> halfedges_{workspace_}; // of each side before
-  Array<Halfedge> chosen_{workspace_};    // and after
-  Umbrellas umbrellas_{workspace_};
-  Array<Face> doomed_faces_{workspace_};
-  Array<Edge> doomed_edges_{workspace_};
+  Array<Index> left_{arena_};         // the vertices that are left, with the duplicates
+  Array<Index> number_{arena_};       // of each vertex that was read: where it is in left_
+  Array<Face> faces_{arena_};         // the faces that are left
+  Array<Side> sides_{arena_};         // three a face, of numbers in left_: side k leads to corner k
+  Array<Halfedge> halfedges_{arena_}; // of each side before
+  Array<Halfedge> chosen_{arena_};    // and after
+  Umbrellas umbrellas_{arena_};
+  Array<Face> doomed_faces_{arena_};
+  Array<Edge> doomed_edges_{arena_};
 };
 
 } // namespace quadrille::internal

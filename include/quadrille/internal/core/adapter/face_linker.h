@@ -37,7 +37,7 @@ public:
     }
     for (std::size_t i = 0; i < faces_.size(); ++i)
       link_face(static_cast<Index>(i), vertex_at);
-    for (const auto& [in, out] : umbrellas_.border_links())
+    for (const auto& [in, out] : umbrellas_.boundary_links())
       set_next(opposite(halfedges_[in], mesh_), opposite(halfedges_[out], mesh_), mesh_);
     std::size_t found = 0;
     for (Edge e : edges(mesh_)) { // without a branch, which would be hard to predict
@@ -62,7 +62,7 @@ private:
       set_face(h, f, mesh_);
       set_next(h, halfedges_[3 * face + (k == 2 ? 0 : k + 1)], mesh_);
       set_target(h, vertex_at(side), mesh_);
-      if (!umbrellas_.is_on_border(umbrellas_.vertex(side)))
+      if (!umbrellas_.is_on_boundary(umbrellas_.vertex(side)))
         set_halfedge(vertex_at(side), h, mesh_);
       if (umbrellas_.mate(side) != none)
         continue;

@@ -79,7 +79,7 @@ bool lies_in_columns(const M& matrix, bool does_other = false) {
 
 /// Can there be a row or a column of three for each, and as many of them as are left?
 template <class M>
-constexpr bool can_hold_rows() {
+constexpr bool can_be_rows() {
   constexpr Extent rows = row_extent<M>, columns = column_extent<M>;
   if constexpr (MatrixView<M>)
     return rows != Extent::other || columns != Extent::other;
@@ -100,9 +100,9 @@ public:
 
   /// Throws std::invalid_argument if there are not three.
   RowsOfMatrix(M& matrix, const std::string& what, bool in_columns)
-      : held_(hold(matrix)), in_columns_(in_columns) {
+      : stored_(store(matrix)), in_columns_(in_columns) {
     static_assert(
-        can_hold_rows<M>(),
+        can_be_rows<M>(),
         "quadrille::simplify: a matrix of points or triangles has three columns and any "
         "number of rows, or the other way round: use Eigen::MatrixXd, Eigen::MatrixX3d or "
         "Eigen::Matrix3Xd, and the same with integers.");
@@ -134,17 +134,17 @@ public:
       return result;
     }
   }
-  void swap_in(M& other) requires(!is_view) { held_->swap(other); }
+  void swap_in(M& other) requires(!is_view) { stored_->swap(other); }
   void swap_in(std::vector<Row>& rows) {
     for (std::size_t row = 0; row < rows.size(); ++row)
       for (std::size_t i = 0; i < 3; ++i)
-        std::swap(at(held_, row, i), rows[row][i]);
+        std::swap(at(stored_, row, i), rows[row][i]);
   }
 
 private:
   using Index = decltype(std::declval<const M&>().rows());
 
-  static auto hold(M& matrix) {
+  static auto store(M& matrix) {
     if constexpr (is_view)
       return std::remove_const_t<M>(matrix); // it is copied as a pointer is
     else
@@ -152,16 +152,16 @@ private:
   }
   const M& matrix() const {
     if constexpr (is_view)
-      return held_;
+      return stored_;
     else
-      return *held_;
+      return *stored_;
   }
   decltype(auto) at(auto& matrix, std::size_t row, std::size_t i) const {
     const auto r = static_cast<Index>(row), c = static_cast<Index>(i);
     return in_columns_ ? matrix(c, r) : matrix(r, c);
   }
 
-  std::conditional_t<is_view, std::remove_const_t<M>, M*> held_;
+  std::conditional_t<is_view, std::remove_const_t<M>, M*> stored_;
   bool in_columns_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/adapter/attributes.h>
 #include <quadrille/internal/core/adapter/no_channel_maps.h>
-#include <quadrille/internal/core/adapter/soup_parts.h>
+#include <quadrille/internal/core/adapter/soup_base.h>
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/containers.h>
 #include <quadrille/internal/core/base/points.h>
@@ -37,16 +37,16 @@ public:
   using Point = typename boost::property_traits<PointMap>::value_type;
 
   SoupAdapter(Points& points, Triangles& triangles, PointMap map, Attributes attributes,
-              Labels labels, Maps channels, Workspace& workspace)
-      : workspace_(&workspace), points_(points), triangles_(triangles), map_(map),
-        attributes_(attributes), labels_(labels), channels_(std::move(channels)) {}
+              Labels labels, Maps channels, Arena& arena)
+      : arena_(&arena), points_(points), triangles_(triangles), map_(map), attributes_(attributes),
+        labels_(labels), channels_(std::move(channels)) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
   /// there, and for a point that is not finite.
   Input read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
-    Input surface(workspace_);
-    surface.has_duplicate_faces = surface.may_have_backs = true;
+    Input surface(arena_);
+    surface.has_duplicate_faces = surface.may_have_reverse_faces = true;
     surface.reserve(std::ranges::size(points_), std::ranges::size(triangles_));
     for (std::size_t v = 0; v < std::ranges::size(points_); ++v) {
       surface.positions.push_back(read_position(v));
@@ -58,7 +58,7 @@ public:
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
     if constexpr (has_channels_in<Maps>)
-      channels_.read(std::ranges::size(points_), surface.triangles, *workspace_, surface);
+      channels_.read(std::ranges::size(points_), surface.triangles, *arena_, surface);
     return surface;
   }
 
@@ -75,19 +75,19 @@ public:
 
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
   /// attributes, and points that the map stores elsewhere, are restored if anything throws, so the
-  /// soup stays as it was. It calls `tell` as described for Reporter.
-  template <class Result, class Tell>
-  std::size_t write(const Result& result, Tell tell) {
+  /// soup stays as it was. It calls `reporter` as described for Reporter.
+  template <class Result, class AnyReporter>
+  std::size_t write(const Result& result, AnyReporter reporter) {
     auto points = empty_like(points_);
     const Array<Index> inputs = result.input_vertices();
     const Array<Index> vertices = in_order(inputs, result.input_vertex_count());
     const Array<Index> new_index = places(vertices, vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      tell.vertex(i, vertices[i], result);
+      reporter.vertex(i, vertices[i], result);
       points.push_back(points_[inputs[vertices[i]]]);
     }
-    if constexpr (Tell::asks_for_images)
-      tell_images(result, places(inputs, result.input_vertex_count()), new_index, tell);
+    if constexpr (AnyReporter::asks_for_vertex_map)
+      report_vertex_map(result, places(inputs, result.input_vertex_count()), new_index, reporter);
     auto triangles = empty_like(triangles_);
     const Array<Index> input_faces = result.input_faces();
     const Array<Index> faces = in_order(input_faces, result.input_face_count());
@@ -139,13 +139,13 @@ private:
   };
 
   // `numbers` are those of the result, by inputs.
-  template <class Result, class Tell>
-  static void tell_images(const Result& result, const Array<Index>& numbers,
-                          const Array<Index>& new_index, Tell& tell) {
+  template <class Result, class AnyReporter>
+  static void report_vertex_map(const Result& result, const Array<Index>& numbers,
+                                const Array<Index>& new_index, AnyReporter& reporter) {
     for (Index input = 0; input < numbers.size(); ++input) {
-      const Index number = numbers[result.image(input)];
-      tell.image(std::size_t{input},
-                 number == none ? parameters::vanished : std::size_t{new_index[number]});
+      const Index number = numbers[result.merged_vertex(input)];
+      reporter.map_vertex(std::size_t{input},
+                          number == none ? parameters::vanished : std::size_t{new_index[number]});
     }
   }
 
@@ -188,7 +188,7 @@ private:
       }
   }
 
-  Workspace* workspace_;
+  Arena* arena_;
   Points& points_;
   Triangles& triangles_;
   PointMap map_;

@@ -26,8 +26,8 @@ struct Side {
 /// every further one gets a duplicate of the vertex: for the given mates, these are the fewest.
 class Umbrellas {
 public:
-  explicit Umbrellas(Workspace* workspace = nullptr)
-      : mate_(workspace), vertex_(workspace), border_(workspace), duplicates_(workspace) {}
+  explicit Umbrellas(Arena* arena = nullptr)
+      : mate_(arena), vertex_(arena), boundary_(arena), duplicates_(arena) {}
 
   /// Builds all of it in linear time. Vertices are below vertex_count; duplicates are counted from
   /// there. Sides that satisfy were_mates(i, j) are mated before any others.
@@ -40,14 +40,14 @@ public:
 
   Index mate(Index side) const { return mate_[side]; }         ///< or none
   Index vertex(Index corner) const { return vertex_[corner]; } ///< of a corner, 3·face + k
-  bool is_on_border(Index vertex) const { return border_[vertex].first_out != none; }
+  bool is_on_boundary(Index vertex) const { return boundary_[vertex].first_out != none; }
 
   /// The vertex that each duplicate is one of: vertex_count + i duplicates duplicates()[i].
   const Array<Index>& duplicates() const { return duplicates_; }
 
   /// Returns pairs of sides: along the boundary, the other half of the first is followed by that of
   /// the second.
-  const std::vector<std::pair<Index, Index>>& border_links() const { return border_links_; }
+  const std::vector<std::pair<Index, Index>>& boundary_links() const { return boundary_links_; }
 
 private:
   // Sides of the same two vertices are found by a counting sort by the lower one, and where a
@@ -135,14 +135,14 @@ private:
 
   void assign_vertices(const Array<Side>& sides) {
     vertex_.assign(sides.size(), none);
-    border_.assign(vertex_count_, {});
+    boundary_.assign(vertex_count_, {});
     std::vector<bool> is_taken(vertex_count_, false); // by a closed umbrella
     for (Index corner = 0; corner < sides.size(); ++corner)
       if (vertex_[corner] == none)
         assign_umbrella(corner, sides[corner].to, is_taken);
-    for (const Border& border : border_)
-      if (border.first_out != none)
-        border_links_.emplace_back(border.last_in, border.first_out);
+    for (const Boundary& boundary : boundary_)
+      if (boundary.first_out != none)
+        boundary_links_.emplace_back(boundary.last_in, boundary.first_out);
   }
 
   // The corner after this one, turning about the vertex through the side that leads to it.
@@ -167,11 +167,11 @@ private:
       last = c;
     }
     if (!is_closed)
-      link_border(label, side_after(first), last);
+      link_boundary(label, side_after(first), last);
   }
 
   Index vertex_for_closed(Index vertex, std::vector<bool>& is_taken) {
-    if (is_taken[vertex] || is_on_border(vertex))
+    if (is_taken[vertex] || is_on_boundary(vertex))
       return add_duplicate(vertex);
     is_taken[vertex] = true;
     return vertex;
@@ -181,10 +181,10 @@ private:
   Index vertex_for_open(Index vertex, const std::vector<bool>& is_taken) {
     if (!is_taken[vertex])
       return vertex;
-    Index& shared = border_[vertex].duplicate;
+    Index& shared = boundary_[vertex].duplicate;
     if (shared == none) {
       const Index added = add_duplicate(vertex);
-      border_[vertex].duplicate = added;
+      boundary_[vertex].duplicate = added;
       return added;
     }
     return shared;
@@ -192,22 +192,22 @@ private:
 
   Index add_duplicate(Index vertex) {
     duplicates_.push_back(vertex);
-    border_.push_back({});
+    boundary_.push_back({});
     return vertex_count_ + static_cast<Index>(duplicates_.size() - 1);
   }
 
   // The boundary reaches the vertex along the open side that leaves it, and continues along the
   // open side that leads to it; between two umbrellas it goes from one to the other.
-  void link_border(Index vertex, Index in, Index out) {
-    Border& border = border_[vertex];
-    if (border.first_out == none)
-      border.first_out = out;
+  void link_boundary(Index vertex, Index in, Index out) {
+    Boundary& boundary = boundary_[vertex];
+    if (boundary.first_out == none)
+      boundary.first_out = out;
     else
-      border_links_.emplace_back(border.last_in, out);
-    border.last_in = in;
+      boundary_links_.emplace_back(boundary.last_in, out);
+    boundary.last_in = in;
   }
 
-  struct Border {
+  struct Boundary {
     Index first_out = none, last_in = none; // sides
     Index duplicate = none;                 // for open umbrellas, if a closed one has the vertex
   };
@@ -217,9 +217,9 @@ private:
   Index vertex_count_ = 0;
   Array<Index> mate_;
   Array<Index> vertex_;
-  Array<Border> border_; // of each vertex and duplicate
+  Array<Boundary> boundary_; // of each vertex and duplicate
   Array<Index> duplicates_;
-  std::vector<std::pair<Index, Index>> border_links_;
+  std::vector<std::pair<Index, Index>> boundary_links_;
 };
 
 } // namespace quadrille::internal

@@ -52,7 +52,7 @@ public:
       if (seams_.is_corner(v))
         geometry_.fix(v);
     if (channels_.have_seams() || !seams_.is_empty())
-      complex_.forget_hubs(); // whose corners would all have to be looked at
+      complex_.forget_high_valence(); // whose corners would all have to be looked at
   }
 
   /// Accumulates its current values in the states of vertices.
@@ -65,9 +65,9 @@ public:
         edges.push_back({v, w});
     });
     if constexpr (has_channels)
-      channels_.hold_borders(seams_.labels(), !seams_.is_empty());
-    states_.accumulate_creases(policies_.cost, policies_.label_border_weight, geometry_.positions(),
-                               complex_, edges);
+      channels_.constrain_boundaries(seams_.labels(), !seams_.is_empty());
+    states_.accumulate_creases(policies_.cost, policies_.region_boundary_weight,
+                               geometry_.positions(), complex_, edges);
   }
 
   auto take_channels() { return channels_.take(); }

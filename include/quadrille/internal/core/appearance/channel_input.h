@@ -19,19 +19,18 @@ namespace quadrille::internal {
 
 /// A channel as an adapter reads it: values, and which of them each corner of a face has.
 struct ChannelInput {
-  explicit ChannelInput(Workspace* workspace = nullptr) : values(workspace), corners(workspace) {}
+  explicit ChannelInput(Arena* arena = nullptr) : values(arena), corners(arena) {}
   /// Takes the options of a channel of `size` components; its values and corners are still missing.
-  ChannelInput(const ChannelOptions& options, std::size_t size, Attribute held,
-               Workspace& workspace)
-      : ChannelInput(&workspace) {
+  ChannelInput(const ChannelOptions& options, std::size_t size, Attribute kind, Arena& arena)
+      : ChannelInput(&arena) {
     components = size;
     weights = options.weights;
     importance = options.importance;
-    attribute = held;
+    attribute = kind;
     seams = options.seams.value_or(is_texture() ? Seams::soft : Seams::priced);
-    border_weight = options.border_weight;
-    if (seams != Seams::soft && !border_weight)
-      border_weight = 10;
+    chart_boundary_weight = options.chart_boundary_weight;
+    if (seams != Seams::soft && !chart_boundary_weight)
+      chart_boundary_weight = 10;
     new_values = options.new_values;
   }
 
@@ -44,7 +43,8 @@ struct ChannelInput {
   double importance = 1;
   Seams seams = Seams::priced;
   Attribute attribute = Attribute::any;
-  std::optional<double> border_weight; ///< see ChannelOptions; none: by the part that seams are
+  std::optional<double>
+      chart_boundary_weight; ///< see ChannelOptions; none: by the fraction that seams are
   NewValues new_values = NewValues::optimal;
   /// Turns the components of a value into those that the adapter would write, before they are
   /// rounded to its type. False if it would leave the old ones. as_written(values, has_changed)

@@ -12,8 +12,8 @@ namespace quadrille::internal {
 inline Array<Index> labels_by_face(const Array<Index>& by_input, const InputIndices& faces,
                                    const TriangleComplex& complex) {
   if (by_input.empty())
-    return Array<Index>(complex.workspace());
-  Array<Index> labels(complex.face_capacity(), complex.workspace());
+    return Array<Index>(complex.arena());
+  Array<Index> labels(complex.face_capacity(), complex.arena());
   for (Index face = 0; face < labels.size(); ++face)
     labels[face] = by_input[faces[face]];
   return labels;

@@ -40,7 +40,7 @@ struct NoChannels {
   NoChannelSeams seams() const { return {}; }
   void contract(const auto&) {}
   NoChannelsLeft take() { return {}; }
-  static auto vertex_columns(auto&) { return std::tuple<>(); }
+  static auto vertex_arrays(auto&) { return std::tuple<>(); }
 };
 
 template <class Policies>

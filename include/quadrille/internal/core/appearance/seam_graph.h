@@ -43,7 +43,7 @@ public:
   /// are.
   SeamGraph(const TriangleComplex& complex, Array<Index> labels, OfChannels of_channels)
       : complex_(&complex), of_channels_(of_channels), label_(std::move(labels)),
-        kind_(complex.workspace()) {
+        kind_(complex.arena()) {
     if (label_.empty() && !keeps_channels())
       return;
     kind_.resize(complex.vertex_capacity(), SeamKind::free);
@@ -96,7 +96,7 @@ public:
   }
 
   static constexpr bool is_seldom_there = true;
-  static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
+  static auto vertex_arrays(auto& self) { return std::tie(self.kind_); }
   /// Leaves out those of faces for which is_left(face) is false.
   template <class IsLeft>
   void pack_if(IsLeft is_left) {

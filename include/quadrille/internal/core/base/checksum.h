@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_BASE_CHECKSUM_H
-#define QUADRILLE_INTERNAL_BASE_CHECKSUM_H
+#ifndef QUADRILLE_INTERNAL_CORE_BASE_CHECKSUM_H
+#define QUADRILLE_INTERNAL_CORE_BASE_CHECKSUM_H
 
 #include <bit>
 #include <cstddef>
@@ -16,15 +16,15 @@ public:
   void add(const void* bytes, std::size_t size) {
     const char* from = static_cast<const char*>(bytes);
     size_ += size;
-    while (size > 0 && held_ > 0)
-      hold(*from++), --size;
+    while (size > 0 && filled_ > 0)
+      add_byte(*from++), --size;
     for (; size >= 8; size -= 8, from += 8) {
       std::uint64_t word;
       std::memcpy(&word, from, 8);
       mix(word);
     }
     while (size-- > 0)
-      hold(*from++);
+      add_byte(*from++);
   }
 
   std::uint64_t value() const {
@@ -38,11 +38,11 @@ public:
 
 private:
   // Bytes that are no whole word yet.
-  void hold(char byte) {
-    word_ |= std::uint64_t{static_cast<unsigned char>(byte)} << (8 * held_);
-    if (++held_ == 8) {
+  void add_byte(char byte) {
+    word_ |= std::uint64_t{static_cast<unsigned char>(byte)} << (8 * filled_);
+    if (++filled_ == 8) {
       mix(word_);
-      held_ = 0;
+      filled_ = 0;
       word_ = 0;
     }
   }
@@ -51,9 +51,9 @@ private:
   }
 
   std::uint64_t state_ = 0x27D4EB2F165667C5U, word_ = 0, size_ = 0;
-  unsigned held_ = 0;
+  unsigned filled_ = 0;
 };
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_BASE_CHECKSUM_H
+#endif // QUADRILLE_INTERNAL_CORE_BASE_CHECKSUM_H

@@ -10,16 +10,16 @@
 namespace quadrille::internal {
 
 template <class T>
-struct HeldBy : std::type_identity<T> {};
+struct ContainedIn : std::type_identity<T> {};
 template <class T>
-struct HeldBy<std::optional<T>> : std::type_identity<T> {};
+struct ContainedIn<std::optional<T>> : std::type_identity<T> {};
 
 /// The value type of a std::optional; any other type is left as it is.
 template <class T>
-using Held = typename HeldBy<std::remove_cvref_t<T>>::type;
+using Contained = typename ContainedIn<std::remove_cvref_t<T>>::type;
 
 template <class T>
-concept IsOptional = !std::same_as<Held<T>, std::remove_cvref_t<T>>;
+concept IsOptional = !std::same_as<Contained<T>, std::remove_cvref_t<T>>;
 
 /// Calls use(value), unless the value is an empty std::optional.
 template <class T, class Use>

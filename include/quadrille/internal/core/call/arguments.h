@@ -13,7 +13,7 @@
 #include <quadrille/internal/core/policy/mesh_units.h>
 #include <quadrille/internal/core/policy/orders.h>
 #include <quadrille/internal/core/policy/policies.h>
-#include <quadrille/internal/core/policy/visitor_holder.h>
+#include <quadrille/internal/core/policy/stored_visitor.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
@@ -98,7 +98,7 @@ constexpr Kind kind_if_optional(Kind kind) {
 template <class T, class Cost>
 constexpr Kind kind_of() {
   if constexpr (IsOptional<T>)
-    return kind_if_optional(kind_of<Held<T>, Cost>());
+    return kind_if_optional(kind_of<Contained<T>, Cost>());
   else if constexpr (IsNamedParameters<T>::value)
     return Kind::named_parameters;
   else if constexpr (std::same_as<T, Topology>)
@@ -141,18 +141,18 @@ concept HasDistanceHeader = requires {
 
 /// The optional functions that a call may need, according to its types.
 template <class Policies, class Stop, class Order, bool is_recorded>
-OptionalParts<Policies> optional_parts() {
-  OptionalParts<Policies> parts;
+OptionalModules<Policies> optional_modules() {
+  OptionalModules<Policies> modules;
   if constexpr (!std::same_as<Order, GreedyOrder>)
-    parts.run_passes = &run_passes<Policies>;
+    modules.run_passes = &run_passes<Policies>;
   if constexpr (is_recorded)
-    parts.make_recording = &make_recording<Policies>;
+    modules.make_recording = &make_recording<Policies>;
   if constexpr (needs_of<Stop>().distance) {
     static_assert(HasDistanceHeader<Policies>,
                   "The stop policy needs distances: include <quadrille/distance_limits.h>.");
-    parts.make_distances = &make_distances<Policies, needs_of<Stop>().distance_back>;
+    modules.make_distances = &make_distances<Policies, needs_of<Stop>().reverse_distance>;
   }
-  return parts;
+  return modules;
 }
 
 } // namespace quadrille::internal
@@ -355,7 +355,7 @@ auto pick_policies(const Arguments&... arguments) {
   const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
   const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
   const auto given_order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
-  check_stop<Held<decltype(stop)>, Cost>();
+  check_stop<Contained<decltype(stop)>, Cost>();
   validate_all(cost, placement, pairs, stop);
   const CallOrder order = call_order(given_order);
   check_guards<std::remove_const_t<decltype(given_order)>, Arguments...>();
@@ -369,17 +369,18 @@ auto pick_policies(const Arguments&... arguments) {
   Policies policies{
       cost,
       typename Policies::Placement(placement),
-      label_border_weight(carried),
+      region_boundary_weight(carried),
       use_or_default<EdgePairs>(pairs, [](const auto& given) { return PairSource::of(given); }),
       use_or_default<FaceRatio>(stop, [](const auto& given) { return StopRule::of(given); }),
       order,
-      hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
+      store_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       threads_here(order.threads()),
       pick_recorder<Cost>(arguments...),
-      guards.topology_beside(pick_topology<Cost>(arguments...)),
+      guards.topology_with(pick_topology<Cost>(arguments...)),
       pick_filters<Cost>(arguments...),
       guards,
-      optional_parts<Policies, Held<decltype(stop)>, Held<decltype(given_order)>, is_recorded>()};
+      optional_modules<Policies, Contained<decltype(stop)>, Contained<decltype(given_order)>,
+                       is_recorded>()};
   policies.threads.validate();
   return policies;
 }

@@ -125,10 +125,10 @@ auto pick_carried(const Arguments&... arguments) {
 
 /// The weight of boundaries between labels.
 template <class Carried>
-double label_border_weight([[maybe_unused]] const Carried& carried) {
+double region_boundary_weight([[maybe_unused]] const Carried& carried) {
   double weight = 1;
   if constexpr (Carried::has_labels)
-    if_given(carried.labels, [&](const auto& labels) { weight = labels.border_weight; });
+    if_given(carried.labels, [&](const auto& labels) { weight = labels.region_boundary_weight; });
   return weight;
 }
 

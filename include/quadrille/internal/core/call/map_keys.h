@@ -31,7 +31,7 @@ inline constexpr bool takes_key<Map, Key> = std::convertible_to<Key, typename Ma
 /// Can all maps of these names be asked for such a key, that are given?
 template <class Key, class NamedParameters, class... Tags>
 constexpr bool take_key(Names<Tags...>) {
-  return (takes_key<Held<decltype(CGAL::parameters::get_parameter(
+  return (takes_key<Contained<decltype(CGAL::parameters::get_parameter(
                         std::declval<const NamedParameters&>(), Tags{}))>,
                     Key> &&
           ...);
@@ -51,7 +51,7 @@ constexpr bool check_keys() {
   constexpr bool faces_fit = take_key<Face, NamedParameters>(OfFaces());
   constexpr bool labels_fit = [] {
     if constexpr (Carried::has_labels)
-      return takes_key<decltype(Held<typename Carried::Labels>::map), Face>;
+      return takes_key<decltype(Contained<typename Carried::Labels>::map), Face>;
     else
       return true;
   }();
@@ -88,7 +88,7 @@ constexpr bool check_keys_of_mesh() {
   using Graph = boost::graph_traits<Mesh>;
   using Vertex = typename Graph::vertex_descriptor;
   using OfEdges = Names<CGAL::internal_np::edge_is_constrained_t, parameters::edge_is_crease_t,
-                        parameters::edge_is_border_t>;
+                        parameters::edge_is_boundary_t>;
   constexpr bool others_fit =
       check_keys<Vertex, typename Graph::face_descriptor, Cost, Carried, NamedParameters>();
   constexpr bool edges_fit = take_key<typename Graph::edge_descriptor, NamedParameters>(OfEdges());

@@ -71,7 +71,7 @@ Map map_of_copy(const Map& map, [[maybe_unused]] const Mesh& mesh, [[maybe_unuse
 using ReadNames =
     Names<CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::edge_is_constrained_t,
           CGAL::internal_np::face_patch_t, CGAL::internal_np::vertex_index_t,
-          parameters::edge_is_crease_t, parameters::edge_is_border_t,
+          parameters::edge_is_crease_t, parameters::edge_is_boundary_t,
           parameters::face_is_selected_t, parameters::vertex_tolerance_t,
           parameters::vertex_importance_t, parameters::vertex_is_shared_t>;
 using WrittenNames = Names<CGAL::internal_np::vertex_point_t, CGAL::internal_np::vertex_color_map_t,

@@ -8,9 +8,9 @@
 #include <quadrille/internal/core/adapter/soup_rows.h>
 #include <quadrille/internal/core/base/containers.h>
 #include <quadrille/internal/core/call/arguments.h>
+#include <quadrille/internal/core/call/chunk_parameters.h>
 #include <quadrille/internal/core/call/map_keys.h>
 #include <quadrille/internal/core/call/named_parameters.h>
-#include <quadrille/internal/core/call/piece_parameters.h>
 #include <quadrille/internal/core/call/reporter.h>
 #include <quadrille/internal/core/call/run.h>
 #include <quadrille/internal/core/cost/vertex_importance.h>
@@ -147,7 +147,7 @@ constexpr bool rounds_to_floats() {
 
 /// Are coordinates written as floats? They are if those of points are, or if a parameter says so.
 template <class Map, class Surface, class Input, class NamedParameters>
-void tell_floats(Input& input, const NamedParameters& named) {
+void note_floats(Input& input, const NamedParameters& named) {
   using Point = typename boost::property_traits<Map>::value_type;
   const auto are_floats =
       CGAL::parameters::get_parameter(named, parameters::coordinates_are_floats_tag);
@@ -166,24 +166,23 @@ Report simplify_mesh_with_maps(Mesh& mesh, const Policies& policies, const Carri
   check_points<typename boost::property_traits<decltype(points)>::value_type, NamedParameters>();
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
   auto attributes = pick_attributes<Cost>(named);
-  Workspace workspace(
-      memory_needs(policies, Carried::has_labels, num_vertices(mesh), num_faces(mesh)));
+  Arena arena(memory_needs(policies, Carried::has_labels, num_vertices(mesh), num_faces(mesh)));
   auto channels = channel_maps(carried.channels);
   FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes),
                    decltype(channels)>
-      adapter(mesh, points, indices, attributes, workspace, std::move(channels));
+      adapter(mesh, points, indices, attributes, arena, std::move(channels));
   const auto read = [&](auto& reader) {
     auto input = reader.read();
-    tell_floats<decltype(points), Mesh>(input, named);
+    note_floats<decltype(points), Mesh>(input, named);
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
     weigh_vertices(reader, input, named);
     select_faces(faces(mesh), input, named);
     name_edges<Cost>(reader, input, named);
     share_vertices(reader, input, named);
-    name_borders(reader, input, named);
+    name_boundaries(reader, input, named);
     give_named_box(input, named);
-    read_labels(carried, faces(mesh), input, workspace);
+    read_labels(carried, faces(mesh), input, arena);
     reader.release();
     return input;
   };
@@ -200,7 +199,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
   check_named<Cost, NamedParameters>(
       Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
             np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
-            parameters::edge_is_crease_t, parameters::edge_is_border_t,
+            parameters::edge_is_crease_t, parameters::edge_is_boundary_t,
             parameters::vertex_to_vertex_t, parameters::duplicate_output_t>());
   if constexpr (check_keys_of_mesh<Mesh, Cost, Carried, NamedParameters>())
     return simplify_mesh_with_maps(mesh, policies, carried, named);
@@ -211,7 +210,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
 /// The adapter of a soup, whose vertices may be split.
 template <class Points, class Triangles, class Map, class Attributes, class Carried>
 auto soup_adapter(Points& points, Triangles& triangles, Map map, Attributes attributes,
-                  const Carried& carried, Workspace& workspace) {
+                  const Carried& carried, Arena& arena) {
   using Labels = typename Carried::Labels;
   auto channels = channel_maps(carried.channels);
   if constexpr (Carried::splits_vertices) {
@@ -220,10 +219,10 @@ auto soup_adapter(Points& points, Triangles& triangles, Map map, Attributes attr
         "quadrille::simplify: SplitVertices needs a cost without attributes: pass attributes "
         "as channels.");
     return SplitSoupAdapter<Points, Triangles, Map, Labels, decltype(channels)>(
-        points, triangles, map, carried.labels, std::move(channels), workspace);
+        points, triangles, map, carried.labels, std::move(channels), arena);
   } else {
     return SoupAdapter<Points, Triangles, Map, Attributes, Labels, decltype(channels)>(
-        points, triangles, map, attributes, carried.labels, std::move(channels), workspace);
+        points, triangles, map, attributes, carried.labels, std::move(channels), arena);
   }
 }
 
@@ -236,21 +235,21 @@ Report simplify_soup_with_maps(Points& points, Triangles& triangles, const Polic
                               CGAL::Identity_property_map<ElementOf<Points>>());
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
   auto attributes = pick_attributes<Cost>(named);
-  Workspace workspace(memory_needs(policies, Carried::has_labels, std::ranges::size(points),
-                                   std::ranges::size(triangles)));
-  auto adapter = soup_adapter(points, triangles, map, attributes, carried, workspace);
+  Arena arena(memory_needs(policies, Carried::has_labels, std::ranges::size(points),
+                           std::ranges::size(triangles)));
+  auto adapter = soup_adapter(points, triangles, map, attributes, carried, arena);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
-    tell_floats<decltype(map), Points>(input, named);
+    note_floats<decltype(map), Points>(input, named);
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
     weigh_vertices(reader, input, named);
     const auto indices = boost::irange(std::size_t{0}, std::ranges::size(triangles));
     select_faces(indices, input, named);
     share_vertices(reader, input, named);
-    list_borders(reader, std::ranges::size(points), input, named);
+    list_boundaries(reader, std::ranges::size(points), input, named);
     give_named_box(input, named);
-    read_labels(carried, indices, input, workspace);
+    read_labels(carried, indices, input, arena);
     return input;
   };
   return run(adapter, policies, read, reporter(named));
@@ -263,15 +262,15 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   using Cost = typename Policies::Cost;
   const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
   const auto creases = get_parameter(named, parameters::edge_is_crease);
-  const auto borders = get_parameter(named, parameters::edge_is_border);
+  const auto boundaries = get_parameter(named, parameters::edge_is_boundary);
   static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)> &&
-                    !is_given<decltype(borders)>,
+                    !is_given<decltype(boundaries)>,
                 "quadrille::simplify: a soup has no edges for a map: pass "
-                "vertex_is_constrained_map, or simplify a mesh; for borders pass border_edges");
+                "vertex_is_constrained_map, or simplify a mesh; for borders pass boundary_edges");
   namespace np = CGAL::internal_np;
   check_named<Cost, NamedParameters>(
       Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
-            parameters::edge_is_border_t, parameters::border_edges_t,
+            parameters::edge_is_boundary_t, parameters::boundary_edges_t,
             parameters::vertex_to_vertex_t>());
   if constexpr (check_keys_of_soup<Cost, Carried, NamedParameters>())
     return simplify_soup_with_maps(points, triangles, policies, carried, named);

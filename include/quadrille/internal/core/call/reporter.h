@@ -16,14 +16,14 @@ namespace quadrille::internal {
 
 /// Reports the result through named parameters, while an adapter writes it. A report that was not
 /// requested is Param_not_found, and costs nothing.
-template <class QuadricMap, class ImageMap, class Duplicates>
+template <class QuadricMap, class VertexMap, class Duplicates>
 class Reporter {
 public:
   static constexpr bool asks_for_states = is_given<QuadricMap>;
-  static constexpr bool asks_for_images = is_given<ImageMap>;
+  static constexpr bool asks_for_vertex_map = is_given<VertexMap>;
 
-  Reporter(QuadricMap quadrics, ImageMap images, Duplicates duplicates)
-      : quadrics_(quadrics), images_(images), duplicates_(duplicates) {}
+  Reporter(QuadricMap quadrics, VertexMap map, Duplicates duplicates)
+      : quadrics_(quadrics), vertex_map_(map), duplicates_(duplicates) {}
 
   /// For each vertex v that is left, with its key in the user's maps.
   void vertex(const auto& key, Index v, const auto& result) const {
@@ -32,9 +32,9 @@ public:
   }
 
   /// For each vertex of the input, with what it has become.
-  void image(const auto& key, const auto& of_it) const {
-    if constexpr (is_given<ImageMap>)
-      put(images_, key, of_it);
+  void map_vertex(const auto& key, const auto& of_it) const {
+    if constexpr (is_given<VertexMap>)
+      put(vertex_map_, key, of_it);
   }
 
   /// For each vertex that has been added.
@@ -45,7 +45,7 @@ public:
 
 private:
   QUADRILLE_NO_UNIQUE_ADDRESS QuadricMap quadrics_;
-  QUADRILLE_NO_UNIQUE_ADDRESS ImageMap images_;
+  QUADRILLE_NO_UNIQUE_ADDRESS VertexMap vertex_map_;
   QUADRILLE_NO_UNIQUE_ADDRESS Duplicates duplicates_;
 };
 

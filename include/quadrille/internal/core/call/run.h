@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/base/threads.h>
 #include <quadrille/internal/core/call/engine.h>
-#include <quadrille/internal/core/memory/columns.h>
+#include <quadrille/internal/core/memory/vertex_arrays.h>
 #include <quadrille/internal/core/policy/orders.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/report.h>
@@ -19,14 +19,14 @@ template <class Policies>
 MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t vertices,
                          std::size_t faces) {
   using Surface = WorkingSurface<Policies>;
-  using Followers = decltype(Surface::followers(std::declval<Surface&>()));
+  using ArrayOwners = decltype(Surface::array_owners(std::declval<Surface&>()));
   const bool has_queue = !policies.order.passes;
-  const std::size_t columns =
-      RowsOf<Followers>::bytes +
+  const std::size_t arrays =
+      RowsOf<ArrayOwners>::bytes +
       (has_labels ? bytes_a_vertex<typename Appearance<Policies>::Seams> : 0);
   // In addition to these: its list of corners, its label, the vertex it was merged into; with a
   // queue, the version of its pairs, and its rejected pairs.
-  const std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);
+  const std::size_t a_vertex = arrays + (has_queue ? 6 : 4) * sizeof(Index);
   // Its corners, and room for another one or its input index; its label, as read and in order.
   const std::size_t a_face =
       sizeof(TriangleComplex::Triangle) + (has_labels ? 6 : 4) * sizeof(Index);
@@ -56,9 +56,9 @@ inline Report untouched(Report report) {
 }
 
 /// Data flows one way: adapter, working surface, loop, result, adapter. `read` returns the input of
-/// the adapter; it calls `tell` as described for Reporter.
-template <class Adapter, class Policies, class Read, class Tell>
-Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
+/// the adapter; it calls `reporter` as described for Reporter.
+template <class Adapter, class Policies, class Read, class AnyReporter>
+Report run_here(Adapter& adapter, const Policies& policies, Read read, AnyReporter reporter) {
   StopWatch watch;
   Report report;
   auto input = read(adapter);
@@ -69,20 +69,20 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
     return untouched(report);
 
   const auto result =
-      simplify_input(std::move(input), policies, Tell::asks_for_states, report, watch);
+      simplify_input(std::move(input), policies, AnyReporter::asks_for_states, report, watch);
   if (!result)
     return untouched(report);
-  report.duplicated_vertices = adapter.write(*result, tell);
+  report.duplicated_vertices = adapter.write(*result, reporter);
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;
 }
 
 /// Runs a call with the threads that the order asks for.
-template <class Adapter, class Policies, class Read, class Tell>
-Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
+template <class Adapter, class Policies, class Read, class AnyReporter>
+Report run(Adapter& adapter, const Policies& policies, Read read, AnyReporter reporter) {
   Report report;
-  with_threads(policies.threads, [&] { report = run_here(adapter, policies, read, tell); });
+  with_threads(policies.threads, [&] { report = run_here(adapter, policies, read, reporter); });
   return report;
 }
 

@@ -14,7 +14,8 @@
 #include <utility>
 
 /// \file
-/// A triangle complex builds its lists here, and reserves places after those of hubs.
+/// A triangle complex builds its lists here, and reserves places after those of high-valence
+/// vertices.
 
 namespace quadrille::internal {
 
@@ -62,7 +63,7 @@ inline void TriangleComplex::fill_lists(Threads threads) {
           }
   });
   QUADRILLE_ASSERT(are_lists_right());
-  hubs_.mark(lists_);
+  high_valence_vertices_.mark(lists_);
 }
 
 // Does each corner in the list of a vertex have that vertex?
@@ -80,7 +81,7 @@ inline void TriangleComplex::pack(const Array<Index>& vertices) {
   for (Index v = 0; v < vertices.size(); ++v)
     lists_[vertices[v]].begin = v; // until fill_lists()
   const auto is_left = [this](Index face) { return !is_removed(face); };
-  backs_.pack_if(is_left);
+  reverse_faces_.pack_if(is_left);
   pack_if(faces_, is_left);
   for (Triangle& face : faces_)
     for (Index& v : face) {
@@ -90,45 +91,47 @@ inline void TriangleComplex::pack(const Array<Index>& vertices) {
   lists_.resize(vertices.size());
 }
 
-inline bool TriangleComplex::has_room_behind(Index hub, std::size_t corners) const {
-  const std::size_t begin = lists_[hub].begin + lists_[hub].size;
+inline bool TriangleComplex::has_room_after(Index high_valence, std::size_t corners) const {
+  const std::size_t begin = lists_[high_valence].begin + lists_[high_valence].size;
   return begin + corners <= pool_.size() &&
          std::all_of(pool_.data() + begin, pool_.data() + begin + corners,
                      [](Index corner) { return corner == none; });
 }
 
 // For half as many corners again: a list is moved as seldom as an array that grows.
-QUADRILLE_NOINLINE inline void TriangleComplex::make_room_behind(Index hub, std::size_t corners) {
-  if (has_room_behind(hub, corners))
+QUADRILLE_NOINLINE inline void TriangleComplex::make_room_after(Index high_valence,
+                                                                std::size_t corners) {
+  if (has_room_after(high_valence, corners))
     return;
-  const std::size_t room = corners + lists_[hub].size / 2;
-  reserve_corners(lists_[hub].size + room);
+  const std::size_t room = corners + lists_[high_valence].size / 2;
+  reserve_corners(lists_[high_valence].size + room);
   const std::size_t begin = pool_.size();
-  pool_.resize(begin + lists_[hub].size + room, none);
+  pool_.resize(begin + lists_[high_valence].size + room, none);
   Index size = 0;
-  for_each_corner(hub, [&](Index face, Index i) { pool_[begin + size++] = 4 * face + i; });
-  lists_[hub] = {static_cast<Index>(begin), size};
+  for_each_corner(high_valence, [&](Index face, Index i) { pool_[begin + size++] = 4 * face + i; });
+  lists_[high_valence] = {static_cast<Index>(begin), size};
 }
 
-QUADRILLE_NOINLINE inline void TriangleComplex::append_to_hub(Index hub, Index gone) {
-  List& list = lists_[hub];
+QUADRILLE_NOINLINE inline void TriangleComplex::append_to_high_valence(Index high_valence,
+                                                                       Index gone) {
+  List& list = lists_[high_valence];
   for_each_corner(gone, [&](Index face, Index i) {
-    faces_[face][i] = hub;
+    faces_[face][i] = high_valence;
     pool_[list.begin + list.size++] = 4 * face + i;
   });
   lists_[gone].size = 0;
 }
 
 template <class Visit>
-void TriangleComplex::review_hubs(Visit visit) {
-  const auto count = [&](Index hub) {
-    List& list = lists_[hub];
+void TriangleComplex::review_high_valence(Visit visit) {
+  const auto count = [&](Index high_valence) {
+    List& list = lists_[high_valence];
     const Index size = list.size;
-    prune_corners(hub);
+    prune_corners(high_valence);
     std::fill_n(pool_.data() + list.begin + list.size, size - list.size, none);
     return list.size;
   };
-  hubs_.review(count, visit);
+  high_valence_vertices_.review(count, visit);
 }
 
 } // namespace quadrille::internal

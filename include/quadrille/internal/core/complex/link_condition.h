@@ -149,9 +149,9 @@ private:
 /// Decides whether a contraction keeps the topology of the surface.
 ///
 /// The contraction of an edge ab does, if Lk(a) ∩ Lk(b) = Lk(ab), where the links of boundary edges
-/// are joined to a point at infinity. A line along which three sheets or more meet, as the pages of
-/// a book do at its spine, is contracted along itself; other vertices that are neither inside the
-/// surface nor on its boundary (where such lines meet, or two sheets in a point) are called
+/// are joined to a point at infinity. A line along which three surfaces or more meet, as the pages
+/// of a book do at its spine, is contracted along itself; other vertices that are neither inside
+/// the surface nor on its boundary (where such lines meet, or two surfaces in a point) are called
 /// singular; for them the test here is stricter than it need be: two of them are never contracted.
 /// Source: Dey, Edelsbrunner, Guha and Nekhayev, Topology preserving edge contraction, 1999.
 class LinkCondition {
@@ -161,7 +161,7 @@ public:
   /// Classifies every vertex, in linear time. labels_of(worker) are labels for each thread.
   template <class LabelsOf>
   LinkCondition(TriangleComplex& complex, LabelsOf labels_of, Threads threads = Threads())
-      : kind_(complex.vertex_capacity(), complex.workspace()) {
+      : kind_(complex.vertex_capacity(), complex.arena()) {
     for_each_range(threads, kind_.size(), [&](const auto& range, std::size_t worker) {
       VertexClassifier classify;
       for (Index v = range.begin; v < range.end; ++v)
@@ -172,8 +172,9 @@ public:
   }
 
   bool holds(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
-    if (star.shared.empty() || star.may_meet_hub)
-      return false; // not an edge, or one that would join two hubs if they are not joined yet
+    if (star.shared.empty() || star.may_meet_high_valence)
+      return false; // not an edge, or one that would join two high-valence vertices if they are not
+                    // joined yet
     constexpr Index in_first = 0, in_both = 1;
     labels.clear(2);
     for (const StarFace& f : star.shared)
@@ -215,10 +216,10 @@ public:
   /// And is each neighbour the second vertex of just one of its faces?
   bool is_oriented(Index v) const { return !kind_.empty() && kind_[v] == Kind::interior; }
 
-  /// Is it known that more than one sheet may meet at the vertex?
+  /// Is it known that more than one surface may meet at the vertex?
   bool may_be_junction(Index v) const { return !kind_.empty() && kind_[v] > Kind::boundary; }
 
-  static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
+  static auto vertex_arrays(auto& self) { return std::tie(self.kind_); }
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     if (!kind_.empty())
       internal::prefetch(&kind_[v]);
@@ -272,9 +273,10 @@ private:
       return false;
     const bool are_both = kind_[a] == kind_[b];
     const auto is_seen_from = [&](Index end, Index other, const auto& faces, const auto& others) {
-      const bool is_the_one = star.hub == none ? faces.size() >= others.size() : star.hub == other;
+      const bool is_the_one =
+          star.high_valence == none ? faces.size() >= others.size() : star.high_valence == other;
       return kind_[end] == Kind::spine && (!are_both || is_the_one) &&
-             goes_on_behind(faces, star.shared, labels);
+             goes_on_after(faces, star.shared, labels);
     };
     return is_seen_from(a, b, star.first, star.second) ||
            is_seen_from(b, a, star.second, star.first);
@@ -283,8 +285,8 @@ private:
   // Does the spine continue beyond one end of an edge, without returning to it? The next vertex on
   // it belongs to as many faces as the edge has, all of which are among these unless it is opposite
   // to it.
-  static bool goes_on_behind(const AppendBuffer<StarFace>& faces,
-                             const AppendBuffer<StarFace>& shared, VertexLabels& labels) {
+  static bool goes_on_after(const AppendBuffer<StarFace>& faces,
+                            const AppendBuffer<StarFace>& shared, VertexLabels& labels) {
     const Index pages = static_cast<Index>(shared.size());
     labels.clear(pages + 1);
     for (const StarFace& f : faces)

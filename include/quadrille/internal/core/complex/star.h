@@ -41,14 +41,16 @@ inline StarFace star_face_from(const TriangleComplex& complex, Index face, Index
 ///            r
 /// ```
 ///
-/// If one end is a hub, the other end moves to it and the faces of the hub do not change. The star
-/// then has only the faces next to the other end: those that share a vertex with its link; and at
-/// least one face opposite the pair for each further hub in the link.
+/// If one end is a high-valence vertex, the other end moves to it and the faces of the high-valence
+/// vertex do not change. The star then has only the faces next to the other end: those that share a
+/// vertex with its link; and at least one face opposite the pair for each further high-valence
+/// vertex in the link.
 struct PairStar {
   AppendBuffer<StarFace> first, second; // the faces of one end only
   AppendBuffer<StarFace> shared;        // the faces of both, seen from the first end
-  Index hub = none;                     // the end of which faces are left out, if one is
-  bool may_meet_hub = false; // may it be joined to a further hub in the link that is not opposite?
+  Index high_valence = none;            // the end of which faces are left out, if one is
+  bool may_meet_high_valence =
+      false; // may it be joined to a further high-valence vertex in the link that is not opposite?
 
   void gather(TriangleComplex& complex, Index a, Index b) {
     clear();
@@ -75,9 +77,9 @@ struct PairStar {
     second.add(their_count);
   }
 
-  /// Gathers the star of a pair of which one end is a hub, in about as many steps as the other end
-  /// and its neighbours have faces.
-  void gather_beside_hub(TriangleComplex& complex, Index a, Index b, Index its_hub);
+  /// Gathers the star of a pair of which one end is a high-valence vertex, in about as many steps
+  /// as the other end and its neighbours have faces.
+  void gather_at_high_valence(TriangleComplex& complex, Index a, Index b, Index its_high_valence);
 
   /// Calls visit(face) for each face that a contraction changes.
   template <class Visit>
@@ -90,41 +92,43 @@ struct PairStar {
 private:
   void clear() {
     first.clear(), second.clear(), shared.clear();
-    hub = none;
-    may_meet_hub = false;
+    high_valence = none;
+    may_meet_high_valence = false;
   }
 
-  std::vector<Index> link_; // of the end that is no hub
+  std::vector<Index> link_; // of the end that is no high-valence vertex
 };
 
-/// The faces of a hub next to another vertex, found from the neighbours of that vertex. Further
-/// hubs among these are searched only for the faces that are needed.
-class FacesBesideHub {
+/// The faces of a high-valence vertex next to another vertex, found from the neighbours of that
+/// vertex. Further high-valence vertices among these are searched only for the faces that are
+/// needed.
+class FacesAtHighValence {
 public:
-  /// `link`: the neighbours of the vertex `other` except the hub, in order. The faces are added to
-  /// `faces`.
-  FacesBesideHub(TriangleComplex& complex, Index hub, Index other, const std::vector<Index>& link,
-                 AppendBuffer<StarFace>& faces)
-      : complex_(complex), hub_(hub), other_(other), link_(link), faces_(faces) {}
+  /// `link`: the neighbours of the vertex `other` except the high-valence vertex, in order. The
+  /// faces are added to `faces`.
+  FacesAtHighValence(TriangleComplex& complex, Index high_valence, Index other,
+                     const std::vector<Index>& link, AppendBuffer<StarFace>& faces)
+      : complex_(complex), high_valence_(high_valence), other_(other), link_(link), faces_(faces) {}
 
-  /// All that have a vertex of the link which is no hub.
+  /// All that have a vertex of the link which is no high-valence vertex.
   void add_at_link() {
     for (Index v : link_)
-      if (!complex_.hubs().has(v))
+      if (!complex_.high_valence_vertices().has(v))
         complex_.for_each_corner(v, [&](Index face, Index i) {
           const StarFace f = star_face_at(complex_, face, i);
-          if (f.has(hub_) && !f.has(other_) && !is_met_before(f.other_than(hub_), v))
+          if (f.has(high_valence_) && !f.has(other_) &&
+              !is_met_before(f.other_than(high_valence_), v))
             add(face);
         });
   }
   bool has_any_at(Index v) const {
     return std::any_of(faces_.begin(), faces_.end(), [v](const StarFace& f) { return f.has(v); });
   }
-  /// One that has a further hub.
+  /// One that has a further high-valence vertex.
   void add_one_at(Index v) {
     add_first(v, [&](const StarFace& f) { return f.has(v); });
   }
-  /// Adds the face between two further hubs.
+  /// Adds the face between two further high-valence vertices.
   void add_between(Index v, Index w) {
     add_first(fewer(v, w), [&](const StarFace& f) { return f.has(v) && f.has(w); });
   }
@@ -132,21 +136,23 @@ public:
 private:
   // Was the face of these two vertices met at v before w had its turn?
   bool is_met_before(Index v, Index w) const {
-    return v < w && !complex_.hubs().has(v) && std::binary_search(link_.begin(), link_.end(), v);
+    return v < w && !complex_.high_valence_vertices().has(v) &&
+           std::binary_search(link_.begin(), link_.end(), v);
   }
 
-  void add(Index face) { faces_.add_if(true, star_face_from(complex_, face, hub_)); }
+  void add(Index face) { faces_.add_if(true, star_face_from(complex_, face, high_valence_)); }
 
-  // Returns the first face at both v and the hub that satisfies is(f), if there is one.
+  // Returns the first face at both v and the high-valence vertex that satisfies is(f), if there is
+  // one.
   template <class Is>
   void add_first(Index v, Is is) {
-    const Index few = fewer(v, hub_);
+    const Index few = fewer(v, high_valence_);
     complex_.prune_first_corners(few);
     complex_.any_corner(few, [&](Index face, Index) {
       const auto& corners = complex_.vertices(face);
-      if (std::find(corners.begin(), corners.end(), hub_) == corners.end())
+      if (std::find(corners.begin(), corners.end(), high_valence_) == corners.end())
         return false;
-      const StarFace f = star_face_from(complex_, face, hub_);
+      const StarFace f = star_face_from(complex_, face, high_valence_);
       const bool result = is(f) && !f.has(other_);
       if (result)
         add(face);
@@ -159,47 +165,49 @@ private:
   }
 
   TriangleComplex& complex_;
-  Index hub_, other_;
+  Index high_valence_, other_;
   const std::vector<Index>& link_;
   AppendBuffer<StarFace>& faces_;
 };
 
-QUADRILLE_NOINLINE inline void PairStar::gather_beside_hub(TriangleComplex& complex, Index a,
-                                                           Index b, Index its_hub) {
+QUADRILLE_NOINLINE inline void PairStar::gather_at_high_valence(TriangleComplex& complex, Index a,
+                                                                Index b, Index its_high_valence) {
   clear();
-  hub = its_hub;
-  const Index other = hub == a ? b : a;
-  AppendBuffer<StarFace>& of_other = hub == a ? second : first;
+  high_valence = its_high_valence;
+  const Index other = high_valence == a ? b : a;
+  AppendBuffer<StarFace>& of_other = high_valence == a ? second : first;
   link_.clear();
   complex.prune_corners(other, [&](Index face, Index i) {
     const StarFace f = star_face_at(complex, face, i);
-    if (f.has(hub))
+    if (f.has(high_valence))
       shared.add_if(true, star_face_from(complex, face, a));
     else
       of_other.add_if(true, f);
     for (Index v : {f.second, f.third})
-      if (v != hub)
+      if (v != high_valence)
         link_.push_back(v);
   });
   std::sort(link_.begin(), link_.end());
   link_.erase(std::unique(link_.begin(), link_.end()), link_.end());
 
-  FacesBesideHub beside(complex, hub, other, link_, hub == a ? first : second);
-  beside.add_at_link();
+  FacesAtHighValence faces_at(complex, high_valence, other, link_,
+                              high_valence == a ? first : second);
+  faces_at.add_at_link();
   const auto is_opposite = [&](Index v) {
     return std::any_of(shared.begin(), shared.end(),
                        [&](const StarFace& f) { return f.other_than(b) == v; });
   };
   for (Index v : link_)
-    if (complex.hubs().has(v) && !beside.has_any_at(v)) {
+    if (complex.high_valence_vertices().has(v) && !faces_at.has_any_at(v)) {
       if (is_opposite(v))
-        beside.add_one_at(v);
+        faces_at.add_one_at(v);
       else
-        may_meet_hub = true;
+        may_meet_high_valence = true;
     }
   for (const StarFace& f : of_other)
-    if (complex.hubs().has(f.second) && complex.hubs().has(f.third))
-      beside.add_between(f.second, f.third);
+    if (complex.high_valence_vertices().has(f.second) &&
+        complex.high_valence_vertices().has(f.third))
+      faces_at.add_between(f.second, f.third);
 }
 
 } // namespace quadrille::internal

@@ -18,7 +18,7 @@ namespace quadrille::internal {
 
 /// Returns for each vertex the one that represents its connected component.
 inline Array<Index> component_roots(const TriangleComplex& complex) {
-  Array<Index> parent(complex.vertex_capacity(), complex.workspace());
+  Array<Index> parent(complex.vertex_capacity(), complex.arena());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](Index v) {
     while (parent[v] != v)
@@ -49,23 +49,24 @@ inline std::size_t count_components(const TriangleComplex& complex) {
 struct TopologyCount {
   std::size_t components = 0, non_manifold_edges = 0, non_manifold_vertices = 0;
 
-  void tell(Report& report) const {
+  void write_to(Report& report) const {
     report.components_after = components;
     report.non_manifold_edges = non_manifold_edges;
     report.non_manifold_vertices = non_manifold_vertices;
   }
 };
 
-/// Is a vertex that has faces with backs neither a disc nor half a disc around? It is a disc where
-/// a face is alone with its back. Edges of more than two faces, backs being such, are counted.
-inline bool is_non_manifold_with_backs(const TriangleComplex& complex, Index v,
-                                       TopologyCount& count) {
+/// Is a vertex that has faces with reverse faces neither a disc nor half a disc around? It is a
+/// disc where a face is alone with its back. Edges of more than two faces, reverse faces being
+/// such, are counted.
+inline bool is_non_manifold_with_reverse_faces(const TriangleComplex& complex, Index v,
+                                               TopologyCount& count) {
   std::vector<std::pair<Index, std::size_t>> edges; // the other end, how many faces
   std::size_t faces = 0;
   complex.for_each_corner(v, [&](Index face, Index i) {
     const StarFace f = star_face_at(complex, face, i);
     for (Index other : {f.second, f.third})
-      edges.emplace_back(other, complex.backs().count(face));
+      edges.emplace_back(other, complex.reverse_faces().count(face));
     ++faces;
   });
   std::sort(edges.begin(), edges.end());
@@ -86,8 +87,9 @@ inline TopologyCount count_topology(TriangleComplex& complex, VertexLabels& labe
   for (Index v = 0; v < complex.vertex_capacity(); ++v) {
     if (!complex.has_faces(v))
       continue;
-    if (complex.any_corner(v, [&](Index face, Index) { return complex.backs().has(face); })) {
-      count.non_manifold_vertices += is_non_manifold_with_backs(complex, v, count);
+    if (complex.any_corner(v,
+                           [&](Index face, Index) { return complex.reverse_faces().has(face); })) {
+      count.non_manifold_vertices += is_non_manifold_with_reverse_faces(complex, v, count);
       continue;
     }
     if (classify(complex, v, labels) < VertexKind::spine)

@@ -5,7 +5,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/prefetch.h>
 #include <quadrille/internal/core/base/ranges.h>
-#include <quadrille/internal/core/complex/backs.h>
+#include <quadrille/internal/core/complex/reverse_faces.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/packing.h>
 
@@ -19,23 +19,24 @@
 
 namespace quadrille::internal {
 
-/// The high-valence vertices of a surface, called hubs in this code. A hub that is contracted with
-/// an ordinary vertex stays in its place. Its faces then do not change, and only those next to the
-/// other vertex are visited; otherwise each of the d pairs of a hub would take d steps.
+/// The high-valence vertices of a surface, called high-valence vertices in this code. A
+/// high-valence vertex that is contracted with an ordinary vertex stays in its place. Its faces
+/// then do not change, and only those next to the other vertex are visited; otherwise each of the d
+/// pairs of a high-valence vertex would take d steps.
 ///
 /// Marks change where lists are built, merged or reviewed, by one thread; in a pass, others may
 /// ask.
-class Hubs {
+class HighValenceVertices {
 public:
   static constexpr std::size_t most_faces = 128; // of a vertex that is none
 
   bool any() const { return !vertices_.empty(); }
-  bool has(Index v) const { return any() && is_hub_[v] != 0; }
-  /// The end of a pair that is a hub, if the other is none; else `none`.
+  bool has(Index v) const { return any() && is_high_valence_[v] != 0; }
+  /// The end of a pair that is a high-valence vertex, if the other is none; else `none`.
   Index of_pair(Index a, Index b) const {
-    if (!any() || is_hub_[a] == is_hub_[b])
+    if (!any() || is_high_valence_[a] == is_high_valence_[b])
       return none;
-    return is_hub_[a] != 0 ? a : b;
+    return is_high_valence_[a] != 0 ? a : b;
   }
 
   /// There are none from here on, however many faces a vertex has.
@@ -59,7 +60,7 @@ public:
 
   /// Has there been a contraction for every fourth of their faces since the last review? Then this
   /// calls count(v) for each, which returns how many faces it has, and after that visit(v), when it
-  /// is known whether it is still a hub.
+  /// is known whether it is still a high-valence vertex.
   template <class Count, class Visit>
   void review(Count count, Visit visit) {
     if (!any() || 4 * ++contractions_ < faces_)
@@ -68,9 +69,9 @@ public:
     const std::vector<Index> reviewed = vertices_;
     std::erase_if(vertices_, [&](Index v) {
       const std::size_t faces = count(v);
-      is_hub_[v] = faces > most_faces;
-      faces_ += is_hub_[v] != 0 ? faces : 0;
-      return is_hub_[v] == 0;
+      is_high_valence_[v] = faces > most_faces;
+      faces_ += is_high_valence_[v] != 0 ? faces : 0;
+      return is_high_valence_[v] == 0;
     });
     for (Index v : reviewed)
       visit(v);
@@ -79,15 +80,15 @@ public:
 private:
   QUADRILLE_NOINLINE void add(Index v, std::size_t faces, std::size_t vertices) {
     if (!any()) {
-      is_hub_.assign(vertices, 0);
+      is_high_valence_.assign(vertices, 0);
       contractions_ = faces_ = 0;
     }
-    is_hub_[v] = 1;
+    is_high_valence_[v] = 1;
     vertices_.push_back(v);
     faces_ += faces;
   }
 
-  std::vector<unsigned char> is_hub_; // of each vertex, where there are any
+  std::vector<unsigned char> is_high_valence_; // of each vertex, where there are any
   std::vector<Index> vertices_;
   std::size_t faces_ = 0;        // of all of them, when they were looked at
   std::size_t contractions_ = 0; // since the last review
@@ -111,8 +112,8 @@ private:
 /// vertex does not wait for one face to find the next, and an edge of three faces is nothing
 /// special. Merging two vertices writes their corners to the end of the pool; when that is full,
 /// the lists are rebuilt. A face that has been removed stays in the lists of its corners until the
-/// next walk along them drops it. The list of a hub has free places after it for the corners of
-/// vertices that are merged into it.
+/// next walk along them drops it. The list of a high-valence vertex has free places after it for
+/// the corners of vertices that are merged into it.
 class TriangleComplex {
 public:
   static constexpr std::size_t max_faces = std::size_t{1} << 30;
@@ -135,15 +136,15 @@ public:
   }
 
   /// Returns the arena of its arrays, which other arrays may use.
-  Workspace* workspace() const { return faces_.get_allocator().workspace(); }
+  Arena* arena() const { return faces_.get_allocator().arena(); }
 
   std::size_t vertex_capacity() const { return lists_.size(); }
   std::size_t face_capacity() const { return faces_.size(); }
-  /// Counts those that have not been removed, and their backs.
+  /// Counts those that have not been removed, and their reverse faces.
   std::size_t count_faces() const {
     std::size_t count = 0;
     for (Index face = 0; face < faces_.size(); ++face)
-      count += is_removed(face) ? 0 : backs_.count(face);
+      count += is_removed(face) ? 0 : reverse_faces_.count(face);
     return count;
   }
   /// Counts those that have faces.
@@ -151,21 +152,22 @@ public:
     return static_cast<std::size_t>(std::count_if(lists_.begin(), lists_.end(), has_corners));
   }
 
-  /// Which vertices have very many faces. Their lists shrink in review_hubs(), if not before.
-  const Hubs& hubs() const { return hubs_; }
+  /// Which vertices have very many faces. Their lists shrink in review_high_valence(), if not
+  /// before.
+  const HighValenceVertices& high_valence_vertices() const { return high_valence_vertices_; }
   /// From here on, none counts as such.
-  void forget_hubs() { hubs_.forget(); }
+  void forget_high_valence() { high_valence_vertices_.forget(); }
   /// This must be called after each contraction. Once contractions may have removed a certain
-  /// fraction of the faces of the hubs, it drops the removed ones, and calls visit(v) for each
-  /// vertex that has been a hub.
+  /// fraction of the faces of the high-valence vertices, it drops the removed ones, and calls
+  /// visit(v) for each vertex that has been a high-valence vertex.
   template <class Visit>
-  void review_hubs(Visit visit);
+  void review_high_valence(Visit visit);
 
   bool is_removed(Index face) const { return faces_[face][0] == none; }
   const Triangle& vertices(Index face) const { return faces_[face]; }
   /// Which faces have one. Contractions do not look at them.
-  const Backs& backs() const { return backs_; }
-  void set_backs(Backs backs) { backs_ = std::move(backs); }
+  const ReverseFaces& reverse_faces() const { return reverse_faces_; }
+  void set_reverse_faces(ReverseFaces reverse_faces) { reverse_faces_ = std::move(reverse_faces); }
   /// At most this many faces are at a vertex.
   std::size_t degree_bound(Index vertex) const { return lists_[vertex].size; }
   /// A face that has been removed counts until a walk drops it.
@@ -233,17 +235,17 @@ public:
   /// Makes room for merge(kept, gone): all lists may be rebuilt. It must be called before faces are
   /// removed whose vertices are queried: in new lists these may have no faces.
   void reserve_for_merge(Index kept, Index gone) {
-    if (hubs_.has(kept))
-      make_room_behind(kept, lists_[gone].size);
+    if (high_valence_vertices_.has(kept))
+      make_room_after(kept, lists_[gone].size);
     else
       reserve_corners(lists_[kept].size + lists_[gone].size);
   }
   /// Moves all faces of `gone` to `kept`, whose list is then free of removed ones unless it is a
-  /// hub. Faces with both vertices must have been removed already.
+  /// high-valence vertex. Faces with both vertices must have been removed already.
   void merge(Index kept, Index gone) {
     reserve_for_merge(kept, gone); // no walk may see the pool move
-    if (hubs_.has(kept)) {
-      append_to_hub(kept, gone);
+    if (high_valence_vertices_.has(kept)) {
+      append_to_high_valence(kept, gone);
       return;
     }
     const std::size_t most = lists_[kept].size + lists_[gone].size;
@@ -263,7 +265,7 @@ public:
     lists_[kept] = {static_cast<Index>(begin), static_cast<Index>(end - (pool_.data() + begin))};
     lists_[gone].size = 0;
     pool_.resize(begin + lists_[kept].size);
-    hubs_.note(kept, lists_[kept].size, lists_.size());
+    high_valence_vertices_.note(kept, lists_[kept].size, lists_.size());
   }
 
   /// Relabels faces, which enter the list of `kept` only when build_lists() is called. Writes to
@@ -341,16 +343,16 @@ private:
 
   bool are_lists_right() const;
 
-  // Is there room after the list of a hub for so many corners?
-  bool has_room_behind(Index hub, std::size_t corners) const;
-  void make_room_behind(Index hub, std::size_t corners);
-  void append_to_hub(Index hub, Index gone);
+  // Is there room after the list of a high-valence vertex for so many corners?
+  bool has_room_after(Index high_valence, std::size_t corners) const;
+  void make_room_after(Index high_valence, std::size_t corners);
+  void append_to_high_valence(Index high_valence, Index gone);
 
   Array<Triangle> faces_;
   Array<Index> pool_;
   Array<List> lists_; // of each vertex
-  Hubs hubs_;
-  Backs backs_;
+  HighValenceVertices high_valence_vertices_;
+  ReverseFaces reverse_faces_;
 };
 
 /// Calls visit(face) for each face that is left.

@@ -14,8 +14,8 @@ namespace quadrille::internal {
 /// A small number for each vertex that can be forgotten for all vertices at once, in constant time.
 class VertexLabels {
 public:
-  explicit VertexLabels(std::size_t vertices, Workspace* workspace = nullptr)
-      : label_(vertices, 0, workspace) {}
+  explicit VertexLabels(std::size_t vertices, Arena* arena = nullptr)
+      : label_(vertices, 0, arena) {}
 
   /// Forgets all labels. The next ones are below `numbers`, at most 2³¹.
   void clear(std::size_t numbers = 1) {

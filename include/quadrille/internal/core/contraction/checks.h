@@ -61,7 +61,9 @@ public:
 
 private:
   bool is_fixed(Index v) const { return state_.geometry.is_fixed(v); }
-  bool stays(const PairStar& star, Index end) const { return is_fixed(end) || star.hub == end; }
+  bool stays(const PairStar& star, Index end) const {
+    return is_fixed(end) || star.high_valence == end;
+  }
 
   // Why what is fixed or shared rejects a contraction, if it does.
   QUADRILLE_NOINLINE std::optional<Rejection> rejection_next_to_fixed(const PairStar& star, Index a,

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_CORE_CONTRACTION_CONTRACTION_COUNT_H
 
 #include <quadrille/concepts.h>
-#include <quadrille/internal/core/complex/backs.h>
+#include <quadrille/internal/core/complex/reverse_faces.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/state/cleanup.h>
 #include <quadrille/report.h>
@@ -18,9 +18,9 @@ namespace quadrille::internal {
 /// these are removed with them.
 class ContractionCount {
 public:
-  /// `backs`: of the surface; it stays where it is.
-  ContractionCount(bool is_topology_kept, const Backs& backs)
-      : is_topology_kept_(is_topology_kept), backs_(backs) {}
+  /// `reverse faces`: of the surface; it stays where it is.
+  ContractionCount(bool is_topology_kept, const ReverseFaces& reverse_faces)
+      : is_topology_kept_(is_topology_kept), reverse_faces_(reverse_faces) {}
 
   /// As many as `stop`, asked before each, would let pass in a row from `now` on.
   template <StopPolicy Stop>
@@ -57,18 +57,19 @@ public:
 
 private:
   std::size_t most_used(const PairStar& star) const {
-    const auto [faces, vertices] =
-        is_topology_kept_ ? Loss{backs_.count_all(star.shared), 1} : most_loss(star, backs_);
+    const auto [faces, vertices] = is_topology_kept_
+                                       ? Loss{reverse_faces_.count_all(star.shared), 1}
+                                       : most_loss(star, reverse_faces_);
     return used(faces, vertices, 0);
   }
   std::size_t faces_each() const {
-    return (is_topology_kept_ ? 2 : 4) * (backs_.is_empty() ? std::size_t{1} : 2);
+    return (is_topology_kept_ ? 2 : 4) * (reverse_faces_.is_empty() ? std::size_t{1} : 2);
   }
 
   static constexpr std::size_t edges_each = 3;
 
   bool is_topology_kept_;
-  const Backs& backs_;
+  const ReverseFaces& reverse_faces_;
 };
 
 } // namespace quadrille::internal

@@ -73,9 +73,10 @@ private:
 
   void require_closed(Surface& surface) {
     if (!surface.state().is_topology_kept ||
-        surface.policies().topology == Topology::parts_may_vanish)
-      throw std::invalid_argument("quadrille::simplify: a hull keeps the topology: pass no "
-                                  "Topology::free or parts_may_vanish, and no pairs but edges");
+        surface.policies().topology == Topology::components_may_vanish)
+      throw std::invalid_argument(
+          "quadrille::simplify: a hull keeps the topology: pass no "
+          "Topology::free or components_may_vanish, and no pairs but edges");
     const std::size_t edges = count_unbalanced_edges(surface.complex());
     if (edges > 0)
       throw std::invalid_argument(

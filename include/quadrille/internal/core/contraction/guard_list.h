@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/guard/surface_guard.h>
 #include <quadrille/internal/core/policy/guard_set.h>
-#include <quadrille/internal/core/state/part_event.h>
+#include <quadrille/internal/core/state/component_event.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
 
@@ -60,7 +60,7 @@ public:
     if (!guards_.empty()) [[unlikely]]
       follow(event.contraction, event.kept);
   }
-  void vanished(const PartEvent& event) const {
+  void vanished(const ComponentEvent& event) const {
     for (const Guarding& g : guards_)
       g.guard->forget(event.faces);
   }

@@ -35,8 +35,8 @@ public:
   /// the status receives the distance. The contraction may get another position.
   virtual bool is_too_far(Contraction& contraction, Status& status) = 0;
   /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
-  virtual bool is_beyond_hub(const Candidate& candidate, const Scratch& scratch,
-                             const Status& status) = 0;
+  virtual bool is_beyond_high_valence(const Candidate& candidate, const Scratch& scratch,
+                                      const Status& status) = 0;
   /// How far the contraction that was measured last, with this scratch, takes its faces and the
   /// input points in them, in the mesh's unit.
   virtual double bound_of(const Contraction& contraction) const = 0;
@@ -46,9 +46,9 @@ public:
   virtual void pack() = 0;
   /// Reports the known distances of the current surface. Does each point of the input have a place
   /// on it?
-  virtual void tell(Report& report, bool has_all_points) const = 0;
+  virtual void write_to(Report& report, bool has_all_points) const = 0;
   /// Reports the known distance of each face, by its number in the input.
-  virtual void tell_bounds(std::vector<FaceBound>& bounds) const = 0;
+  virtual void write_bounds(std::vector<FaceBound>& bounds) const = 0;
 };
 
 /// The input of such measurements: a box in the mesh's unit, and tolerances of vertices if there

@@ -17,7 +17,7 @@ class Progress {
 public:
   explicit Progress(const Policies& policies) : policies_(policies) {}
 
-  /// Starts with a surface whose second part may not be changed and does not count for the target.
+  /// Starts with a surface whose second half may not be changed and does not count for the target.
   /// `edges`: without these, see CountedEdges.
   void start(const Loss& all, const Loss& unselected, std::size_t edges, double diagonal) {
     unselected_ = unselected;
@@ -53,7 +53,7 @@ public:
     total_.non_edge_contractions += counters.non_edge_contractions;
     total_.doubled_faces += counters.doubled_faces;
     total_.doubled_labels += counters.doubled_labels;
-    total_.vanished_parts += counters.vanished_parts;
+    total_.vanished_components += counters.vanished_components;
     total_.error = (std::max)(total_.error, counters.error);
     total_.vanished_size = (std::max)(total_.vanished_size, counters.vanished_size);
     total_.moved += counters.moved;
@@ -69,9 +69,9 @@ public:
   void announce_distance(double distance) { status_.next_distance = distance; }
   void announce_cost(double cost) { status_.next_cost = cost; }
   /// Announces the distance from the input to the surface.
-  void announce_distance_back(double distance) { status_.next_distance_back = distance; }
+  void announce_reverse_distance(double distance) { status_.next_reverse_distance = distance; }
   /// Announces the fraction of its tolerance that a point will have used.
-  void announce_tolerance(double part) { status_.next_tolerance = part; }
+  void announce_tolerance(double fraction) { status_.next_tolerance = fraction; }
   /// Returns the total displacement of contractions up to now: see Displacement.
   std::uint64_t moved() const { return total_.moved; }
   /// How many were rejected for one cause.
@@ -85,13 +85,13 @@ public:
 
   /// Asks the visitor, which may cancel the simplification, and does until now.
   bool proceed() {
-    return is_cancelled_ ? false : !(is_cancelled_ = !ask_visitor(part_done(), stage_));
+    return is_cancelled_ ? false : !(is_cancelled_ = !ask_visitor(fraction_done(), stage_));
   }
   /// Reports to the visitor that nothing more will follow.
-  void tell_end() const { ask_visitor(1, Stage::write); }
+  void report_end() const { ask_visitor(1, Stage::write); }
   bool is_cancelled() const { return is_cancelled_; }
 
-  void tell(Report& report) const {
+  void write_to(Report& report) const {
     report.faces_after = status_.faces + unselected_.faces;
     report.vertices_after = vertices();
     report.contractions = status_.contractions;
@@ -99,8 +99,8 @@ public:
     report.counted_faces = status_.initial_faces + unselected_.faces;
     report.doubled_faces = total_.doubled_faces;
     report.doubled_labels = total_.doubled_labels;
-    report.vanished_parts = total_.vanished_parts;
-    report.largest_vanished_part = total_.vanished_size;
+    report.vanished_components = total_.vanished_components;
+    report.largest_vanished_component = total_.vanished_size;
     report.rejections = total_.rejections;
     report.error = total_.error;
   }
@@ -116,12 +116,12 @@ private:
   }
 
   // Less than all: something may always come.
-  double part_done() const {
+  double fraction_done() const {
     const auto done = static_cast<double>(status_.contractions);
     const auto all = static_cast<double>(std::max<std::size_t>(expected_contractions_, 1));
-    return (std::min)(done / all, most_part_done);
+    return (std::min)(done / all, most_fraction_done);
   }
-  static constexpr double most_part_done = 0.999;
+  static constexpr double most_fraction_done = 0.999;
 
   const Policies& policies_;
   Status status_;

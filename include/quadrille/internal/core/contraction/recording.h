@@ -4,8 +4,8 @@
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/contraction/measured_distances.h>
+#include <quadrille/internal/core/state/component_event.h>
 #include <quadrille/internal/core/state/contraction.h>
-#include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/report.h>
@@ -33,7 +33,7 @@ public:
   /// reported at the end of its stage.
   virtual void after(const Contraction& contraction, Index kept, Index gone, double error,
                      bool is_in_pass) = 0;
-  virtual void vanished(const PartEvent& event) = 0;
+  virtual void vanished(const ComponentEvent& event) = 0;
   /// Reports a rejected pair with these ends, or a component, which has none.
   virtual void reject(const std::array<Index, 2>& ends, Rejection cause, double error) = 0;
   virtual void reject_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
@@ -76,7 +76,7 @@ public:
       recording_->after(event.contraction, event.kept, event.gone, event.feature_loss.error,
                         Event::is_in_pass);
   }
-  void vanished(const PartEvent& event) {
+  void vanished(const ComponentEvent& event) {
     if (recording_)
       recording_->vanished(event);
   }

@@ -16,8 +16,8 @@
 namespace quadrille::internal {
 
 /// The vertices and faces of a finished surface that are left, counted off in the engine's order,
-/// in which neighbours lie near each other; after all faces come the backs of those that have one.
-/// Input indices are those under which an adapter has read them.
+/// in which neighbours lie near each other; after all faces come the reverse faces of those that
+/// have one. Input indices are those under which an adapter has read them.
 template <class Cost, class ChannelsLeft>
 class Result {
 public:
@@ -26,11 +26,12 @@ public:
 
   explicit Result(Finished surface)
       : surface_(with_less_memory(std::move(surface))), vertices_(complex().left_vertices()),
-        faces_(complex().left_faces()), front_count_(faces_.size()),
+        faces_(complex().left_faces()), forward_count_(faces_.size()),
         numbers_(places(vertices_, complex().vertex_capacity())) {
-    for (std::size_t front = 0; front < front_count_ && !complex().backs().is_empty(); ++front)
-      if (complex().backs().has(faces_[front]))
-        faces_.push_back(faces_[front]);
+    for (std::size_t forward = 0; forward < forward_count_ && !complex().reverse_faces().is_empty();
+         ++forward)
+      if (complex().reverse_faces().has(faces_[forward]))
+        faces_.push_back(faces_[forward]);
   }
 
   /// How many an adapter has read.
@@ -41,16 +42,18 @@ public:
   Array<Index> input_vertices() const { return surface_.numbering.vertices.of(vertices_); }
   Array<Index> input_faces() const {
     Array<Index> inputs = surface_.numbering.faces.of(faces_);
-    for (std::size_t back = front_count_; back < faces_.size(); ++back)
-      inputs[back] = complex().backs().input_face(faces_[back]);
+    for (std::size_t reverse = forward_count_; reverse < faces_.size(); ++reverse)
+      inputs[reverse] = complex().reverse_faces().input_face(faces_[reverse]);
     return inputs;
   }
   /// Returns the input index of the vertex into which a vertex of the input was merged.
-  Index image(Index input) const { return surface_.numbering.image(input); }
+  Index merged_vertex(Index input) const { return surface_.numbering.merged_vertex(input); }
 
   TriangleComplex::Triangle corners(Index face) const {
     const auto& corners = complex().vertices(faces_[face]);
-    const auto number = [&](std::size_t i) { return numbers_[corners[corner_of_front(face, i)]]; };
+    const auto number = [&](std::size_t i) {
+      return numbers_[corners[corner_of_forward(face, i)]];
+    };
     return {number(0), number(1), number(2)};
   }
   bool is_closed() const { return surface_.is_closed; }
@@ -63,8 +66,8 @@ public:
   /// Returns the wedge of a corner of a face, in a channel. Those of reverse faces come after all
   /// others.
   Index wedge(std::size_t c, Index face, std::size_t corner) const {
-    const Index f = faces_[face], v = complex().vertices(f)[corner_of_front(face, corner)];
-    return surface_.channels.wedge(complex(), c, f, v, is_back(face));
+    const Index f = faces_[face], v = complex().vertices(f)[corner_of_forward(face, corner)];
+    return surface_.channels.wedge(complex(), c, f, v, is_reverse(face));
   }
   /// The first one of a vertex, in any channel.
   Index first_wedge(Index v) const { return vertices_[v]; }
@@ -107,15 +110,15 @@ private:
 
   const TriangleComplex& complex() const { return surface_.complex; }
 
-  bool is_back(Index face) const { return face >= front_count_; }
+  bool is_reverse(Index face) const { return face >= forward_count_; }
   // Returns the place of a corner of a face in the face of the engine.
-  std::size_t corner_of_front(Index face, std::size_t corner) const {
-    return is_back(face) ? complex().backs().opposite(faces_[face], corner) : corner;
+  std::size_t corner_of_forward(Index face, std::size_t corner) const {
+    return is_reverse(face) ? complex().reverse_faces().opposite(faces_[face], corner) : corner;
   }
 
   Finished surface_;
   Array<Index> vertices_, faces_; // in the engine's numbers
-  std::size_t front_count_;       // from there on they are those of backs
+  std::size_t forward_count_;     // from there on they are those of reverse faces
   Array<Index> numbers_;          // of each vertex of the engine, as it is counted off here
 };
 

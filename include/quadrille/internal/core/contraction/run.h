@@ -12,8 +12,8 @@
 #include <quadrille/internal/core/contraction/recording.h>
 #include <quadrille/internal/core/contraction/target_rules.h>
 #include <quadrille/internal/core/state/cleanup.h>
+#include <quadrille/internal/core/state/component_event.h>
 #include <quadrille/internal/core/state/feature_loss.h>
-#include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/internal/core/surface/numbering.h>
@@ -100,7 +100,7 @@ inline Loss count_unselected(const TriangleComplex& complex, const InputIndices&
     if (complex.is_removed(face))
       continue;
     if (!is_selected[input_faces[face]])
-      faces += complex.backs().count(face);
+      faces += complex.reverse_faces().count(face);
     else
       for (Index v : complex.vertices(face))
         has_selected[v] = true;
@@ -122,7 +122,7 @@ public:
   QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
     if (histogram_) [[unlikely]]
       count<Event::is_in_pass>(static_cast<float>(event.contraction.key()),
-                               complex_.backs().count_all(event.contraction.star().shared));
+                               complex_.reverse_faces().count_all(event.contraction.star().shared));
   }
 
 private:
@@ -162,7 +162,7 @@ public:
     if (is_asked_) [[unlikely]]
       count(event.contraction.star(), event.contraction.second(), event.contraction.scratch());
   }
-  void vanished(const PartEvent& event) {
+  void vanished(const ComponentEvent& event) {
     if (is_asked_)
       scratch_.counters.edges += count_edges(complex_, event.faces);
   }
@@ -174,7 +174,7 @@ private:
 
   bool is_asked_;
   const TriangleComplex& complex_;
-  Scratch& scratch_; // of the thread that removes parts
+  Scratch& scratch_; // of the thread that removes components
 };
 
 /// A run over a surface: its progress, its stop policy, and the recorder of its contractions and
@@ -232,7 +232,7 @@ public:
 
   /// How much a contraction of this error would move.
   std::uint64_t displacement_of(const Contraction& contraction, double error) const {
-    return displacement_(error, contraction.pair().squared_reach, contraction.cost());
+    return displacement_(error, contraction.pair().squared_ring_radius, contraction.cost());
   }
 
   template <class Event>
@@ -249,7 +249,7 @@ public:
     event.contraction.scratch().counters.count_contraction(
         error, displacement_of(event.contraction, error));
   }
-  void vanished(const PartEvent& event) {
+  void vanished(const ComponentEvent& event) {
     recording_.vanished(event);
     edges_.vanished(event);
   }

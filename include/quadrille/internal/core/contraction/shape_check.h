@@ -6,9 +6,9 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/state/components.h>
 #include <quadrille/internal/core/state/contraction.h>
 #include <quadrille/internal/core/state/feature_loss.h>
-#include <quadrille/internal/core/state/parts.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/geometry.h>
@@ -73,36 +73,39 @@ public:
   /// the diagonal some contractions of smaller errors would be found to spoil the shape if they
   /// were measured.
   double least_error() const {
-    return spoiling_part * Parts<dimension>::least_large * state_.scale.diagonal();
+    return spoiling_fraction * Components<dimension>::least_large * state_.scale.diagonal();
   }
 
   /// Is there anything that a contraction could spoil? Components must have been measured before.
-  bool has_any() const { return state_.parts.size() > 1 || !state_.labels().empty(); }
+  bool has_any() const { return state_.components.size() > 1 || !state_.labels().empty(); }
 
   /// Returns the ratio of the contraction's error to the error that a large component or region
   /// tolerates: more than 1 if it spoils the shape of one. A component is checked if there are
   /// several, by the error and by measurement; a region of labels by the error.
   double strain(const Contraction& contraction) {
-    return (std::max)(strain_of_part(contraction), strain_of_region(contraction));
+    return (std::max)(strain_of_component(contraction), strain_of_region(contraction));
   }
   /// Returns the strain of a component that vanishes, compared with the whole surface. It spoils
   /// the surface if it lies apart.
-  double strain(const Part<dimension>& part) const {
-    return knows_errors<Cost> && part.isolation > apart
-               ? part.isolation * part.radius / (spoiling_part * state_.scale.diagonal())
+  double strain(const Component<dimension>& component) const {
+    return knows_errors<Cost> && component.isolation > apart
+               ? component.isolation * component.radius /
+                     (spoiling_fraction * state_.scale.diagonal())
                : 0;
   }
   /// Returns the key of a contraction that spoils a shape: above the keys of all others, which are
   /// at most about 2^80 (see Scale), and in the order of cost and fourth power of the strain.
-  static float costlier(double cost, double strain) { return behind(0x1p85, cost, strain); }
+  static float costlier(double cost, double strain) { return key_after(0x1p85, cost, strain); }
   /// Returns the cost of a contraction with its strain: shrinking a large component comes after all
   /// components that may vanish, too.
   static float costlier(const Contraction& contraction, double strain) {
-    return behind(strain > melting ? 0x1p100 : 0x1p85, contraction.key(), strain);
+    return key_after(strain > melting ? 0x1p100 : 0x1p85, contraction.key(), strain);
   }
   bool spoils(const Contraction& contraction) { return strain(contraction) > 1; }
   /// Checks components alone; several threads may ask.
-  bool spoils_part(const Contraction& contraction) const { return strain_of_part(contraction) > 1; }
+  bool spoils_component(const Contraction& contraction) const {
+    return strain_of_component(contraction) > 1;
+  }
 
   /// Returns the ratio of the measured displacement of the surface to the error of a contraction,
   /// measured if the error is great compared with the whole surface; otherwise 1.
@@ -115,7 +118,7 @@ public:
 
 private:
   // An eighth root keeps the order, and floats can represent the result in addition to the factor.
-  static float behind(double factor, double cost, double strain) {
+  static float key_after(double factor, double cost, double strain) {
     const double root = std::sqrt(std::sqrt(std::sqrt(cost))) * std::sqrt(strain);
     return static_cast<float>((std::min)(factor * root, 1e37));
   }
@@ -124,12 +127,12 @@ private:
     return state_.scale.length_of_mesh(deviation_of(contraction, state_.geometry));
   }
 
-  double strain_of_part(const Contraction& contraction) const {
+  double strain_of_component(const Contraction& contraction) const {
     if constexpr (knows_errors<Cost>) {
-      const Part<dimension>* const part = large_part(contraction);
-      if (!part)
+      const Component<dimension>* const component = large_component(contraction);
+      if (!component)
         return 0;
-      const double limit = spoiling_part * part->size, error = contraction.error();
+      const double limit = spoiling_fraction * component->size, error = contraction.error();
       return (error > measured * limit ? (std::max)(error, deviation(contraction)) : error) / limit;
     } else {
       return 0;
@@ -144,12 +147,13 @@ private:
   }
 
   // Returns the component of both ends; joining components spoils none.
-  const Part<dimension>* large_part(const Contraction& contraction) const {
-    if (state_.parts.size() < 2)
+  const Component<dimension>* large_component(const Contraction& contraction) const {
+    if (state_.components.size() < 2)
       return nullptr;
-    const Index part = state_.parts.of(contraction.first());
-    return part == state_.parts.of(contraction.second()) && state_.parts[part].is_large
-               ? &state_.parts[part]
+    const Index component = state_.components.of(contraction.first());
+    return component == state_.components.of(contraction.second()) &&
+                   state_.components[component].is_large
+               ? &state_.components[component]
                : nullptr;
   }
 
@@ -174,13 +178,14 @@ private:
           boxes[regions_[face]].add(space(state_.geometry.position(v)));
     for (const Box<3>& box : boxes) {
       const double size = state_.scale.length_of_mesh(box.diagonal());
-      sizes_of_regions_.push_back(size >= Parts<dimension>::least_large * state_.scale.diagonal()
+      sizes_of_regions_.push_back(size >= Components<dimension>::least_large *
+                                              state_.scale.diagonal()
                                       ? size
                                       : std::numeric_limits<double>::infinity());
     }
   }
 
-  static constexpr double spoiling_part = 1. / 100;  // of the size of a part
+  static constexpr double spoiling_fraction = 1. / 100; // of the size of a component
   static constexpr double spoiling_region = 1. / 16; // of that of a region of labels
   static constexpr double melting = 2;               // times as much as spoils
   static constexpr double apart = 2;                 // of its radii away

@@ -27,7 +27,7 @@ public:
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
-    if (state_.link_condition.is_closed() && state_.complex.backs().is_empty())
+    if (state_.link_condition.is_closed() && state_.complex.reverse_faces().is_empty())
       return false; // each contraction takes two faces
     return is_passed_after(contraction, status);
   }
@@ -52,21 +52,21 @@ public:
   /// neighbour? An edge of a cube of twelve faces is more than a tenth, a corner of a square of two
   /// faces as well. Only a cost that reports its error as a distance to the surface can answer
   /// this.
-  bool is_coarse(const Contraction& contraction, double part = 0.1) const {
+  bool is_coarse(const Contraction& contraction, double fraction = 0.1) const {
     if constexpr (knows_errors<Cost>)
-      return contraction.error() >
-             part * state_.scale.length_of_mesh(std::sqrt(contraction.pair().squared_reach));
+      return contraction.error() > fraction * state_.scale.length_of_mesh(std::sqrt(
+                                                  contraction.pair().squared_ring_radius));
     else
       return false;
   }
 
 private:
   QUADRILLE_NOINLINE bool is_passed_after(const Contraction& contraction, const Status& status) {
-    const Backs& backs = state_.complex.backs();
+    const ReverseFaces& reverse_faces = state_.complex.reverse_faces();
     const PairStar& star = contraction.star();
     if (state_.is_topology_kept)
-      return is_passed_without({backs.count_all(star.shared), 1}, status);
-    return is_passed_without(most_loss(star, backs), status) &&
+      return is_passed_without({reverse_faces.count_all(star.shared), 1}, status);
+    return is_passed_without(most_loss(star, reverse_faces), status) &&
            is_passed_without(Cleanup(state_.complex, contraction.scratch(), state_.labels())
                                  .loss(contraction.second()),
                              status);

@@ -14,11 +14,11 @@
 #include <quadrille/internal/core/contraction/shape_check.h>
 #include <quadrille/internal/core/evaluation/pair_evaluator.h>
 #include <quadrille/internal/core/evaluation/pair_finder.h>
-#include <quadrille/internal/core/memory/columns.h>
+#include <quadrille/internal/core/memory/vertex_arrays.h>
 #include <quadrille/internal/core/policy/orders.h>
+#include <quadrille/internal/core/state/component_event.h>
 #include <quadrille/internal/core/state/contraction.h>
 #include <quadrille/internal/core/state/feature_loss.h>
-#include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/report.h>
 
@@ -55,25 +55,25 @@ public:
     accumulate();
     if (policies.optional.states)
       state_.states.take_given(*policies.optional.states, state_.numbering.vertices);
-    QUADRILLE_ASSERT(have_rows(followers(*this), complex().vertex_capacity()));
+    QUADRILLE_ASSERT(have_rows(array_owners(*this), complex().vertex_capacity()));
     if (run_.recording())
       run_.recording()->begin();
     if (progress().has_visitor())
-      progress().expect(ContractionCount(state_.is_topology_kept, complex().backs())
+      progress().expect(ContractionCount(state_.is_topology_kept, complex().reverse_faces())
                             .contractions(policies.stop, status()));
   }
   WorkingSurface(const WorkingSurface&) = delete; // its members refer to each other
   WorkingSurface& operator=(const WorkingSurface&) = delete;
 
   /// Returns the observers of contractions, before and after, and of components that vanish: see
-  /// ContractionEvent and PartEvent. Their order has no meaning: before a contraction they read the
-  /// old surface, after it the new one, and each of them writes to itself only.
+  /// ContractionEvent and ComponentEvent. Their order has no meaning: before a contraction they
+  /// read the old surface, after it the new one, and each of them writes to itself only.
   static auto observers(auto& self) {
     return std::tie(self.evaluator_, self.distances_, self.guards_, self.run_);
   }
-  /// All that is packed, prefetched and counted with vertices and faces: see columns.h.
-  static auto followers(auto& self) {
-    return std::tuple_cat(State::columns(self.state_), observers(self));
+  /// All that is packed, prefetched and counted with vertices and faces: see vertex_arrays.h.
+  static auto array_owners(auto& self) {
+    return std::tuple_cat(State::array_owners(self.state_), observers(self));
   }
 
   const Policies& policies() const { return state_.policies; }
@@ -97,7 +97,7 @@ public:
   /// Ask for what a contraction will read of an end, but for its faces, and of a neighbour.
   QUADRILLE_ALWAYS_INLINE void prefetch_end(Index v) const {
     complex().prefetch(v);
-    prefetch_parts(followers(*this), v);
+    prefetch_owners(array_owners(*this), v);
   }
   QUADRILLE_ALWAYS_INLINE void prefetch_neighbour(Index v) const {
     evaluator_.prefetch_pair(v);
@@ -116,9 +116,9 @@ public:
     QUADRILLE_ASSERT(kept != gone && complex().has_faces(kept) && complex().has_faces(gone));
     const ContractionEvent<Cost, Mode> event{
         contraction, mode, kept, gone, feature_loss_of(contraction, state_.geometry, state_.scale)};
-    tell_all_before(observers(*this), event);
+    notify_all_before(observers(*this), event);
     state_.contract(event);
-    tell_all_after(observers(*this), event);
+    notify_all_after(observers(*this), event);
     return kept;
   }
 
@@ -128,13 +128,13 @@ public:
                                 feature_loss_of(contraction, state_.geometry, state_.scale).error);
   }
 
-  /// Sums up the terms of a vertex that is or was a hub: see LocalTerms::sum_up().
+  /// Sums up the terms of a vertex that is or was a high-valence vertex: see LocalTerms::sum_up().
   void sum_up_terms(Index v) { evaluator_.sum_up(v, scratch().labels); }
 
   /// Removes a whole component, of which these vertices are left. Observers are notified before.
-  void remove_part(Index part, std::span<const Index> vertices) {
-    internal::remove_part(complex(), vertices, state_.parts[part], observers(*this),
-                          scratch().counters);
+  void remove_component(Index component, std::span<const Index> vertices) {
+    internal::remove_component(complex(), vertices, state_.components[component], observers(*this),
+                               scratch().counters);
   }
 
   /// Accumulates the current surface in the states of vertices instead of the earlier one, if
@@ -157,14 +157,14 @@ public:
   /// Returns the final surface and gives up its data; with states, if requested. Completes the
   /// report, and notifies the visitor of the end.
   FinishedSurface<Cost, ChannelsLeftOf<Policies>> finish(bool keeps_states, Report& report) && {
-    progress().tell(report);
+    progress().write_to(report);
     if (policies().stop.needs().distance)
-      distances_->tell(report, progress().has_all_points());
+      distances_->write_to(report, progress().has_all_points());
     if (policies().optional.bounds)
-      distances_->tell_bounds(*policies().optional.bounds);
-    state_.tell(report);
+      distances_->write_bounds(*policies().optional.bounds);
+    state_.write_to(report);
     if (!progress().is_cancelled())
-      progress().tell_end();
+      progress().report_end();
     auto channels = state_.appearance.take_channels();
     return {state_.scale,
             state_.link_condition.is_closed(),
@@ -183,8 +183,8 @@ private:
       return;
     distances_.measure({state_, evaluator_, checks_, box, tolerances});
     progress().announce_distance(0);
-    if (policies().stop.needs().distance_back)
-      progress().announce_distance_back(0);
+    if (policies().stop.needs().reverse_distance)
+      progress().announce_reverse_distance(0);
     if (policies().stop.needs().tolerance)
       progress().announce_tolerance(0);
   }
@@ -200,12 +200,12 @@ private:
     Array<Index> vertices = complex().left_vertices();
     const auto is_left = [this](Index face) { return !complex().is_removed(face); };
     state_.numbering.faces.pack_if(is_left);
-    pack_others(followers(*this), vertices, is_left);
-    parallel_for(policies().threads, 2, [&](std::size_t part, std::size_t) {
-      if (part == 0)
+    pack_others(array_owners(*this), vertices, is_left);
+    parallel_for(policies().threads, 2, [&](std::size_t task, std::size_t) {
+      if (task == 0)
         complex().pack(vertices);
       else
-        pack_columns(followers(*this), vertices);
+        pack_vertex_arrays(array_owners(*this), vertices);
     });
     complex().fill_lists(policies().threads);
     state_.numbering.vertices.pack(std::move(vertices));

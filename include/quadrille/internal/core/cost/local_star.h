@@ -103,11 +103,11 @@ private:
 
 /// Computes these terms for any number of faces. It labels the neighbours.
 template <class Cost>
-class LocalHub {
+class LocalHighValence {
 public:
   template <class Positions>
-  LocalHub(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex,
-           VertexLabels& labels)
+  LocalHighValence(Index v, const Cost& cost, const Positions& positions,
+                   const TriangleComplex& complex, VertexLabels& labels)
       : v_(v), labels_(labels) {
     labels.clear(2 * complex.degree_bound(v));
     complex.for_each_corner(v, [&](Index face, Index i) {

@@ -30,13 +30,13 @@ public:
   LocalTerms(const Cost& cost, const Geometry& geometry, TriangleComplex& complex,
              const LinkCondition& link_condition, const SharedVertices& shared)
       : cost_(cost), geometry_(geometry), complex_(complex), link_condition_(link_condition),
-        shared_(shared), terms_(complex.workspace()), on_boundary_(complex.workspace()) {}
+        shared_(shared), terms_(complex.arena()), on_boundary_(complex.arena()) {}
 
   const Current& operator[](Index v) const { return terms_[v]; }
 
   /// Returns how uneven the current faces around a vertex are; 0 if the cost does not measure it.
   double unevenness(Index v) const {
-    if constexpr (tells_unevenness<Cost>)
+    if constexpr (measures_unevenness<Cost>)
       return cost_.unevenness(terms_[v]);
     else
       return 0;
@@ -44,8 +44,8 @@ public:
 
   /// See SharedTerms.
   Current shared(Index a, Index b) const {
-    if (complex_.hubs().has(a))
-      return shared_with_hub(a, b);
+    if (complex_.high_valence_vertices().has(a))
+      return shared_with_high_valence(a, b);
     SharedTerms<Cost> shared;
     complex_.for_each_corner(a, [&](Index face, Index i) {
       const StarFace f = star_face_at(complex_, face, i);
@@ -79,8 +79,8 @@ public:
         on_boundary_[v] = 1;
   }
 
-  static constexpr bool is_made_anew = true; // see sum_up()
-  static auto vertex_columns(auto& self) { return std::tie(self.terms_); }
+  static constexpr bool is_recomputed = true; // see sum_up()
+  static auto vertex_arrays(auto& self) { return std::tie(self.terms_); }
 
   /// Takes the faces that a contraction changes or removes out of the vertices around it that may
   /// be written to.
@@ -99,8 +99,8 @@ public:
     take_out(contraction.star().second, contraction.second());
     take_out(contraction.star().shared, contraction.first());
     if constexpr (!Event::is_in_pass)
-      if (contraction.star().hub != none)
-        take_out_of_hub(contraction.star(), contraction.first());
+      if (contraction.star().high_valence != none)
+        subtract_from_high_valence(contraction.star(), contraction.first());
   }
 
   /// Adds the faces that the contraction has left. In a pass the remaining vertex is not used again
@@ -110,34 +110,35 @@ public:
     if constexpr (Event::is_in_pass) {
       add_star(event.contraction.star(), event.kept, event.mode);
     } else {
-      if (event.contraction.star().hub == event.kept)
-        add_to_hub(event.contraction.star(), event.kept, event.kept == event.contraction.first());
+      if (event.contraction.star().high_valence == event.kept)
+        add_to_high_valence(event.contraction.star(), event.kept,
+                            event.kept == event.contraction.first());
       else
         add_contracted(event.kept);
       renew_boundary(event);
     }
   }
 
-  /// Visits all faces of a vertex again that is or was a hub: the terms of its boundary edges have
-  /// not changed since the last time.
-  QUADRILLE_NOINLINE void sum_up(Index hub, VertexLabels& labels) {
-    const bool is_on_boundary = may_be_on_boundary(hub);
-    terms_[hub] = sum_of_faces(hub);
+  /// Visits all faces of a vertex again that is or was a high-valence vertex: the terms of its
+  /// boundary edges have not changed since the last time.
+  QUADRILLE_NOINLINE void sum_up(Index high_valence, VertexLabels& labels) {
+    const bool is_on_boundary = may_be_on_boundary(high_valence);
+    terms_[high_valence] = sum_of_faces(high_valence);
     if (is_on_boundary)
-      add_boundary(hub, labels);
+      add_boundary(high_valence, labels);
   }
 
 private:
   // The other end has fewer faces, as a rule.
-  QUADRILLE_NOINLINE Current shared_with_hub(Index hub, Index other) const {
+  QUADRILLE_NOINLINE Current shared_with_high_valence(Index high_valence, Index other) const {
     SharedTerms<Cost> shared;
     complex_.for_each_corner(other, [&](Index face, Index i) {
-      if (!star_face_at(complex_, face, i).has(hub))
+      if (!star_face_at(complex_, face, i).has(high_valence))
         return;
-      const StarFace f = star_face_from(complex_, face, hub);
-      shared.add(term(hub, f), f.other_than(other));
+      const StarFace f = star_face_from(complex_, face, high_valence);
+      shared.add(term(high_valence, f), f.other_than(other));
     });
-    return shared.sum(hub, other, cost_, geometry_.positions());
+    return shared.sum(high_valence, other, cost_, geometry_.positions());
   }
 
   Current term(Index corner, const StarFace& f) const {
@@ -157,26 +158,28 @@ private:
     });
   }
 
-  QUADRILLE_NOINLINE void take_out_of_hub(const PairStar& star, Index first) {
+  QUADRILLE_NOINLINE void subtract_from_high_valence(const PairStar& star, Index first) {
     for (const StarFace& f : star.shared)
-      terms_[star.hub] -= term(first, f);
+      terms_[star.high_valence] -= term(first, f);
   }
 
-  // The faces of a hub do not change, but for those that come from the other end of the pair.
-  QUADRILLE_NOINLINE void add_to_hub(const PairStar& star, Index hub, bool is_first) {
+  // The faces of a high-valence vertex do not change, but for those that come from the other end of
+  // the pair.
+  QUADRILLE_NOINLINE void add_to_high_valence(const PairStar& star, Index high_valence,
+                                              bool is_first) {
     last_star_.clear();
     const auto add = [&](const AppendBuffer<StarFace>& faces, bool are_new) {
       for (const StarFace& f : faces) {
-        const Current now = term(hub, f);
+        const Current now = term(high_valence, f);
         const bool is_there = !complex_.is_removed(f.face); // else it was a duplicate
         if (is_there) {
           terms_[f.second] += now;
           terms_[f.third] += now;
         }
         if (is_there && are_new)
-          terms_[hub] += now;
+          terms_[high_valence] += now;
         else if (!is_there && !are_new)
-          terms_[hub] -= now;
+          terms_[high_valence] -= now;
       }
     };
     add(is_first ? star.first : star.second, false);
@@ -239,7 +242,7 @@ private:
   }
 
   void renew(Index v, VertexLabels& labels) {
-    if (!may_be_on_boundary(v) || complex_.hubs().has(v))
+    if (!may_be_on_boundary(v) || complex_.high_valence_vertices().has(v))
       return;
     terms_[v] = sum_of_faces(v);
     add_boundary(v, labels);

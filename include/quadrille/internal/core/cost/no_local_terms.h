@@ -20,7 +20,7 @@ struct NoLocalTerms {
   double unevenness(Index) const { return 0; }
   void sum_up(VertexLabels&) {}
   void sum_up(Index, VertexLabels&) {}
-  static auto vertex_columns(auto&) { return std::tuple<>(); }
+  static auto vertex_arrays(auto&) { return std::tuple<>(); }
 };
 
 /// The local terms of a cost that has none: see local_terms.h, which costs with local terms

@@ -67,7 +67,7 @@ public:
   }
 
   static constexpr bool is_seldom_there = true;
-  static auto vertex_columns(auto& self) { return std::tie(self.of_); }
+  static auto vertex_arrays(auto& self) { return std::tie(self.of_); }
 
   QUADRILLE_ALWAYS_INLINE void merge(Index kept, Index gone) {
     if (is_any_given()) [[unlikely]]

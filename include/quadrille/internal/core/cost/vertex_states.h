@@ -195,7 +195,7 @@ public:
   using State = typename Cost::State;
   using Positions = Array<Vector<Cost::dimension>>;
 
-  explicit VertexStates(Workspace* workspace) : states_(workspace) {}
+  explicit VertexStates(Arena* arena) : states_(arena) {}
 
   const State& operator[](Index v) const { return states_[v]; }
   State& operator[](Index v) { return states_[v]; }
@@ -217,7 +217,7 @@ public:
     if constexpr (AccumulatesByIndex<Cost>) {
       const InputIndices numbers = numbering.vertices.inverse();
       for (Index input = 0; input < numbering.vertices.input_count(); ++input)
-        if (const Index v = numbers[numbering.image(input)]; v != none)
+        if (const Index v = numbers[numbering.merged_vertex(input)]; v != none)
           states_[v] += cost.input_vertex(input);
     }
   }
@@ -238,7 +238,7 @@ public:
         states_[v] = given.states[input];
   }
 
-  static auto vertex_columns(auto& self) { return std::tie(self.states_); }
+  static auto vertex_arrays(auto& self) { return std::tie(self.states_); }
 
   /// Gives the vertex that a contraction has left the sum of both states.
   template <class Event>

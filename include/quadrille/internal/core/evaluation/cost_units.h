@@ -18,7 +18,7 @@ template <class Cost, std::size_t N>
 double key_exponent([[maybe_unused]] const Cost& cost, const Scale<N>& scale) {
   if constexpr (!is_scale_free<Cost>)
     return -2.0 * scale.exponent();
-  else if constexpr (TellsDegree<Cost>)
+  else if constexpr (CountsDegree<Cost>)
     return -static_cast<double>(cost.degree()) * scale.exponent();
   else
     return 0;

@@ -10,7 +10,7 @@
 #include <quadrille/internal/core/evaluation/pair_names.h>
 #include <quadrille/internal/core/evaluation/two_lanes.h>
 #include <quadrille/internal/core/memory/append_buffer.h>
-#include <quadrille/internal/core/memory/columns.h>
+#include <quadrille/internal/core/memory/vertex_arrays.h>
 #include <quadrille/internal/core/pairs/candidate.h>
 #include <quadrille/internal/core/policy/mesh_units.h>
 #include <quadrille/internal/core/policy/policies.h>
@@ -52,9 +52,10 @@ public:
   const Terms& terms() const { return terms_; }
   const PairNames<Policies>& names() const { return names_; }
 
-  /// Sums up local terms again; the second function does so for one vertex that is or was a hub.
+  /// Sums up local terms again; the second function does so for one vertex that is or was a
+  /// high-valence vertex.
   void sum_up(VertexLabels& labels) { terms_.sum_up(labels); }
-  void sum_up(Index hub, VertexLabels& labels) { terms_.sum_up(hub, labels); }
+  void sum_up(Index high_valence, VertexLabels& labels) { terms_.sum_up(high_valence, labels); }
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
     if constexpr (has_local_terms<Cost>)
@@ -65,19 +66,19 @@ public:
     if constexpr (has_local_terms<Cost>)
       terms_.after(event);
   }
-  static constexpr bool is_made_anew = true; // see sum_up()
-  static auto vertex_columns(auto& self) { return Terms::vertex_columns(self.terms_); }
+  static constexpr bool is_recomputed = true; // see sum_up()
+  static auto vertex_arrays(auto& self) { return Terms::vertex_arrays(self.terms_); }
 
   /// Asks for what costs of pairs read of a vertex.
   QUADRILLE_ALWAYS_INLINE void prefetch_pair(Index v) const {
     geometry().prefetch(v);
-    prefetch_columns(state_.states, v);
-    prefetch_columns(terms_, v);
+    prefetch_vertex_arrays(state_.states, v);
+    prefetch_vertex_arrays(terms_, v);
     if constexpr (counts_channels)
       state_.channels().prefetch(v);
   }
 
-  /// Returns the position of the pair and its cost, before settle(); `first` is below `second`.
+  /// Returns the position of the pair and its cost, before resolve(); `first` is below `second`.
   Candidate evaluate(Index first, Index second) const {
     Candidate candidate{first, second, view(first, second)};
     if constexpr (!looks_at_star<Placement>) {
@@ -88,16 +89,16 @@ public:
   }
 
   /// Applies a placement that looks at the star of the pair. Returns false if it has no position.
-  bool settle(Candidate& candidate, const PairStar& star) const {
+  bool resolve(Candidate& candidate, const PairStar& star) const {
     if constexpr (looks_at_star<Placement>) {
       static_assert(is_scale_free<Placement>,
                     "A placement that uses the star has to be scale-free: see CostPolicy and "
                     "PlacementPolicy in <quadrille/concepts.h>.");
       const Index a = candidate.first, b = candidate.second;
-      if (is_settled(a, b)) {
+      if (is_resolved(a, b)) {
         candidate.target = target(a, b, candidate.pair);
       } else {
-        const auto x = policies().placement.settle(
+        const auto x = policies().placement.resolve(
             policies().cost, names_.for_placement(candidate.pair, a, b), star_view(a, b, star));
         if (!x)
           return false;
@@ -164,8 +165,8 @@ public:
     return as_key(key(pair, x, policies().cost(pair, x)));
   }
   static float as_key(double cost) {
-    if constexpr (rise_of_guess<Placement> != 1)
-      cost *= rise_of_guess<Placement>;
+    if constexpr (rise_of_estimate<Placement> != 1)
+      cost *= rise_of_estimate<Placement>;
     return (std::max)(0.0f, static_cast<float>(cost));
   }
 
@@ -198,35 +199,38 @@ private:
   // Evaluates pairs without regard to their importance.
   QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
                                               VertexLabels& labels) const {
-    if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type>)
+    if constexpr (has_two_lanes<Cost, typename EstimateOf<Placement>::type>)
       if (is_optimal(policies().placement)) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
-        if (hubs().any())
-          evaluate_at_hubs(pairs, values);
+        if (high_valence_vertices().any())
+          evaluate_at_high_valence(pairs, values);
         return;
       }
     for (std::size_t i = 0; i < pairs.size(); ++i)
       values[i] = key_alike(pairs[i]);
   }
 
-  // Is it known where the pair goes, whatever it costs there? To what is fixed, or to a hub.
-  bool is_settled(Index a, Index b) const {
-    return geometry().is_fixed(a) || geometry().is_fixed(b) || hubs().of_pair(a, b) != none;
+  // Is it known where the pair goes, whatever it costs there? To what is fixed, or to a
+  // high-valence vertex.
+  bool is_resolved(Index a, Index b) const {
+    return geometry().is_fixed(a) || geometry().is_fixed(b) ||
+           high_valence_vertices().of_pair(a, b) != none;
   }
 
-  QUADRILLE_NOINLINE void evaluate_at_hubs(const AppendBuffer<VertexPair>& pairs,
-                                           float* keys) const {
+  QUADRILLE_NOINLINE void evaluate_at_high_valence(const AppendBuffer<VertexPair>& pairs,
+                                                   float* keys) const {
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (hubs().of_pair(pairs[i].first, pairs[i].second) != none)
+      if (high_valence_vertices().of_pair(pairs[i].first, pairs[i].second) != none)
         keys[i] = key_alike(pairs[i]);
   }
 
   // The pair as cost and placement see it.
   Pair view(Index a, Index b) const {
     const Position &p = geometry().position(a), &q = geometry().position(b);
-    Pair pair{
-        names_.of_cost(a, b), p, q, sum_about_first(state_.states[a], state_.states[b], q - p),
-        static_cast<double>((std::max)(geometry().squared_reach(a), geometry().squared_reach(b)))};
+    Pair pair{names_.of_cost(a, b), p, q,
+              sum_about_first(state_.states[a], state_.states[b], q - p),
+              static_cast<double>((std::max)(geometry().squared_ring_radius(a),
+                                             geometry().squared_ring_radius(b)))};
     if constexpr (has_local_terms<Cost>)
       pair.current =
           policies().cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
@@ -238,8 +242,8 @@ private:
   Position target(Index a, Index b, const Pair& pair) const {
     if (geometry().is_fixed(a) || geometry().is_fixed(b))
       return geometry().is_fixed(a) ? pair.first : pair.second;
-    if (const Index hub = hubs().of_pair(a, b); hub != none)
-      return hub == a ? pair.first : pair.second;
+    if (const Index high_valence = high_valence_vertices().of_pair(a, b); high_valence != none)
+      return high_valence == a ? pair.first : pair.second;
     if constexpr (is_scale_free<Placement>)
       return policies().placement(policies().cost, names_.for_placement(pair, a, b));
     else
@@ -259,7 +263,9 @@ private:
 
   const Policies& policies() const { return state_.policies; }
   const Geometry& geometry() const { return state_.geometry; }
-  const Hubs& hubs() const { return state_.complex.hubs(); }
+  const HighValenceVertices& high_valence_vertices() const {
+    return state_.complex.high_valence_vertices();
+  }
 
   const State& state_;
   QUADRILLE_NO_UNIQUE_ADDRESS Terms terms_;

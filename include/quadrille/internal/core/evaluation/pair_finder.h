@@ -35,7 +35,7 @@ public:
   bool are_edges() const { return includes_edges_ && !has_others(); }
   /// About, of a surface with that many faces and vertices. Backs of faces have none of their own.
   std::size_t count(std::size_t faces, std::size_t vertices) const {
-    if (!complex_.backs().is_empty())
+    if (!complex_.reverse_faces().is_empty())
       faces = (std::min)(faces, 2 * vertices);
     return listed_.size() + (includes_edges_ ? 3 * faces / 2 : 0);
   }

@@ -76,10 +76,10 @@ public:
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
       const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
       const auto& [p, q] = two;
-      const std::array<Vector<3>, 2> to_seconds = ways(two);
+      const std::array<Vector<3>, 2> to_seconds = displacements(two);
       const Lanes values =
           least_values({&states[p.first], &states[q.first]}, {&states[p.second], &states[q.second]},
-                       to_seconds, squared_reaches(two), channel_forms(two, to_seconds));
+                       to_seconds, squared_ring_radii(two), channel_forms(two, to_seconds));
       write(two, values, keys + i);
     }
     rewrite_fixed(pairs, keys);
@@ -100,8 +100,8 @@ public:
         evaluate_around(LocalStar<Cost>(v, evaluator_.cost(), positions(), complex), pairs, i, end,
                         keys);
       else
-        evaluate_around(LocalHub<Cost>(v, evaluator_.cost(), positions(), complex, labels), pairs,
-                        i, end, keys);
+        evaluate_around(LocalHighValence<Cost>(v, evaluator_.cost(), positions(), complex, labels),
+                        pairs, i, end, keys);
     }
     rewrite_fixed(pairs, keys);
   }
@@ -110,9 +110,9 @@ private:
   const auto& positions() const { return evaluator_.state().geometry.positions(); }
 
   // Returns the terms that channels add to the state of each pair, or to its local terms.
-  auto channel_forms(const TwoPairs& two, const std::array<Vector<3>, 2>& ways) const {
+  auto channel_forms(const TwoPairs& two, const std::array<Vector<3>, 2>& displacements) const {
     if constexpr (Evaluator::counts_channels)
-      return two_channel_forms(evaluator_.state().channels(), two, ways);
+      return two_channel_forms(evaluator_.state().channels(), two, displacements);
     else
       return NothingAdded{};
   }
@@ -124,12 +124,12 @@ private:
     for (; i < end; i += 2) {
       const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, end - 1)]};
       const auto& [p, q] = two;
-      const std::array<Vector<3>, 2> to_seconds = ways(two);
+      const std::array<Vector<3>, 2> to_seconds = displacements(two);
       auto [values, minimizers] =
           minima(terms[p.first], {&terms[p.second], &terms[q.second]},
                  {star.shared_with(p.second, evaluator_.cost(), positions()),
                   star.shared_with(q.second, evaluator_.cost(), positions())},
-                 to_seconds, squared_reaches(two), channel_forms(two, to_seconds));
+                 to_seconds, squared_ring_radii(two), channel_forms(two, to_seconds));
       if constexpr (CountsLosses<Cost>)
         values += losses(two, minimizers);
       write(two, values, keys + i);
@@ -144,9 +144,9 @@ private:
     };
     const Lanes trace =
         planes(p.first).trace() + Lanes{planes(p.second).trace(), planes(q.second).trace()};
-    return evaluator_.cost().loss(
-        growth(planes(p.first), {&planes(p.second), &planes(q.second)}, ways(two), minimizers),
-        trace);
+    return evaluator_.cost().loss(growth(planes(p.first), {&planes(p.second), &planes(q.second)},
+                                         displacements(two), minimizers),
+                                  trace);
   }
 
   void write(const TwoPairs& two, Lanes values, float* keys) const {
@@ -165,18 +165,18 @@ private:
         keys[i] = evaluator_.key_alike(pairs[i]);
   }
 
-  std::array<Vector<3>, 2> ways(const TwoPairs& two) const {
+  std::array<Vector<3>, 2> displacements(const TwoPairs& two) const {
     const auto& [p, q] = two;
     const auto& at = positions();
     return {at[p.second] - at[p.first], at[q.second] - at[q.first]};
   }
-  Lanes squared_reaches(const TwoPairs& two) const {
-    const auto reach = [&](const VertexPair& p) {
+  Lanes squared_ring_radii(const TwoPairs& two) const {
+    const auto ring_radius = [&](const VertexPair& p) {
       const auto& geometry = evaluator_.state().geometry;
-      return static_cast<double>(
-          (std::max)(geometry.squared_reach(p.first), geometry.squared_reach(p.second)));
+      return static_cast<double>((std::max)(geometry.squared_ring_radius(p.first),
+                                            geometry.squared_ring_radius(p.second)));
     };
-    return Lanes{reach(two[0]), reach(two[1])};
+    return Lanes{ring_radius(two[0]), ring_radius(two[1])};
   }
 
   const Evaluator& evaluator_;

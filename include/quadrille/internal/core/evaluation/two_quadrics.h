@@ -42,12 +42,14 @@ QUADRILLE_ALWAYS_INLINE inline LaneForm both(const QuadricForm<3>& a, const Quad
                   Lanes{a.constant(), b.constant()});
 }
 
-/// Returns the value if the matrix is not singular and the position no further than √reach from the
-/// first or the second point of the pair; otherwise NaN.
+/// Returns the value if the matrix is not singular and the position no further than a one-ring
+/// radius from the first or the second point of the pair; otherwise NaN.
 inline Lanes value_if_found(Lanes value, const Factorization<3, Lanes>& factorization,
-                            const LaneVector& x, const LaneVector& to_second, Lanes squared_reach) {
+                            const LaneVector& x, const LaneVector& to_second,
+                            Lanes squared_ring_radius) {
   const LaneVector e = x - to_second;
-  const LaneMask is_within = (dot(x, x) <= squared_reach) | (dot(e, e) <= squared_reach);
+  const LaneMask is_within =
+      (dot(x, x) <= squared_ring_radius) | (dot(e, e) <= squared_ring_radius);
   constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   return select(factorization.is_regular() & is_within, value, Lanes{no_number, no_number});
 }
@@ -57,14 +59,14 @@ struct NothingAdded {};
 /// Returns the least values of two quadrics in space, each the sum of one of `firsts` and of one
 /// about the point `displacement` from it, with the tie breaks of equal costs (see TieBreak). A
 /// value that cannot be computed in this way, because the matrix is singular or the position lies
-/// further than √reach from both points, is NaN.
+/// further than a one-ring radius from both points, is NaN.
 ///
 /// `added` are further quadrics about the first points, a LaneForm, or NothingAdded.
 template <class Added>
 QUADRILLE_ALWAYS_INLINE inline Lanes
 least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
              const std::array<const QuadricForm<3>*, 2>& others,
-             const std::array<Vector<3>, 2>& displacements, Lanes squared_reach,
+             const std::array<Vector<3>, 2>& displacements, Lanes squared_ring_radius,
              [[maybe_unused]] const Added& added) {
   // The sum, about the first point: see QuadricForm::sum_about_first.
   const auto& [p, q] = firsts;
@@ -88,7 +90,7 @@ least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
   a.add_to_diagonal(weight);
   const Factorization<3, Lanes> factorization(a);
   const LaneVector x = factorization.solve(-g);
-  return value_if_found(c + dot(g, x), factorization, x, d, squared_reach); // Ax = −g
+  return value_if_found(c + dot(g, x), factorization, x, d, squared_ring_radius); // Ax = −g
 }
 
 /// Values, and the positions that have them.
@@ -102,7 +104,7 @@ struct LaneMinima {
 template <class Current, class Added>
 LaneMinima minima(const Current& first, const std::array<const Current*, 2>& others,
                   const std::array<Current, 2>& shared,
-                  const std::array<Vector<3>, 2>& displacements, Lanes squared_reach,
+                  const std::array<Vector<3>, 2>& displacements, Lanes squared_ring_radius,
                   [[maybe_unused]] const Added& added) {
   const auto& [p, q] = others;
   const auto& [s, t] = shared;
@@ -129,11 +131,11 @@ LaneMinima minima(const Current& first, const std::array<const Current*, 2>& oth
   const LaneVector across = factorization.solve(normal);
   const Lanes slope = dot(normal, across);
   const Lanes off = dot(other_area, d) - dot(normal, x);
-  const Lanes way = select(slope > Lanes{}, off / slope, Lanes{});
-  const LaneVector position = x + way * across;
-  return {
-      value_if_found(c - dot(bd, x) + way * way * slope, factorization, position, d, squared_reach),
-      position};
+  const Lanes displacement = select(slope > Lanes{}, off / slope, Lanes{});
+  const LaneVector position = x + displacement * across;
+  return {value_if_found(c - dot(bd, x) + displacement * displacement * slope, factorization,
+                         position, d, squared_ring_radius),
+          position};
 }
 
 /// How much farther from the planes, in sum of squares, the positions x are than the points where

@@ -127,27 +127,27 @@ private:
   // Sorts by their lowest vertices: first into ranges that fit into a cache, then inside each.
   template <std::size_t N>
   static void sort_faces(SurfaceInput<N>& surface, Threads threads) {
-    constexpr unsigned part_bits = 12;
+    constexpr unsigned bucket_bits = 12;
     const auto lowest = [](const Triangle& t) { return (std::min)({t[0], t[1], t[2]}); };
     Array<Triangle>& triangles = surface.triangles;
-    const std::size_t parts = (surface.positions.size() >> part_bits) + 1;
-    std::vector<Index> begin(parts + 1);
+    const std::size_t buckets = (surface.positions.size() >> bucket_bits) + 1;
+    std::vector<Index> begin(buckets + 1);
     for (const Triangle& triangle : triangles)
-      ++begin[(lowest(triangle) >> part_bits) + 1];
+      ++begin[(lowest(triangle) >> bucket_bits) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<Index> end = begin;
     UninitializedArray<PlacedFace> faces(triangles.size(), triangles.get_allocator());
     for (Index face = 0; face < triangles.size(); ++face)
-      faces[end[lowest(triangles[face]) >> part_bits]++] = {triangles[face], face};
+      faces[end[lowest(triangles[face]) >> bucket_bits]++] = {triangles[face], face};
 
     surface.input_faces.resize(triangles.size());
     std::vector<std::vector<PlacedFace>> sorted(unsigned{threads});
-    parallel_for(threads, parts, [&](std::size_t part, std::size_t worker) {
-      const std::size_t first = begin[part], count = begin[part + 1] - first;
+    parallel_for(threads, buckets, [&](std::size_t bucket, std::size_t worker) {
+      const std::size_t first = begin[bucket], count = begin[bucket + 1] - first;
       sorted[worker].resize((std::max)(count, sorted[worker].size()));
-      sort_by_digit<part_bits>(
+      sort_by_digit<bucket_bits>(
           faces.data() + first, count, sorted[worker].data(),
-          [&](const PlacedFace& face) { return lowest(face.corners) % (Index{1} << part_bits); });
+          [&](const PlacedFace& face) { return lowest(face.corners) % (Index{1} << bucket_bits); });
       for (std::size_t i = 0; i < count; ++i) {
         triangles[first + i] = sorted[worker][i].corners;
         surface.input_faces[first + i] = sorted[worker][i].input;

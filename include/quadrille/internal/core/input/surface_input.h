@@ -24,9 +24,8 @@ namespace quadrille::internal {
 /// The data that an adapter reads.
 template <std::size_t N>
 struct SurfaceInput {
-  explicit SurfaceInput(Workspace* workspace = nullptr)
-      : positions(workspace), triangles(workspace), input_vertices(workspace),
-        input_faces(workspace) {}
+  explicit SurfaceInput(Arena* arena = nullptr)
+      : positions(arena), triangles(arena), input_vertices(arena), input_faces(arena) {}
 
   Array<Vector<N>> positions; ///< with attributes, all in the mesh's units
   Array<TriangleComplex::Triangle> triangles;
@@ -36,7 +35,7 @@ struct SurfaceInput {
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
   std::vector<bool>
       is_shared; ///< see SharedVertices; empty if none is; such vertices are fixed, too
-  std::vector<std::array<Index, 2>> borders; ///< see SharedVertices
+  std::vector<std::array<Index, 2>> boundaries; ///< see SharedVertices
   /// Replaces the surface's own box where it decides about units. Empty: nothing replaces it.
   std::optional<Box<N>> given_box;
   /// Are the coordinates of the result floats once they are written?
@@ -47,10 +46,10 @@ struct SurfaceInput {
   /// The tolerance of each vertex, in the mesh's units; empty if there are none. See
   /// ToleranceLimit.
   std::vector<double> tolerances;
-  /// May it have faces on the same three vertices? One of those is left, or with may_have_backs one
-  /// of each orientation.
+  /// May it have faces on the same three vertices? One of those is left, or with
+  /// may_have_reverse_faces one of each orientation.
   bool has_duplicate_faces = false;
-  bool may_have_backs = false;
+  bool may_have_reverse_faces = false;
 
   /// Reserves room. For positions it is a little more than requested, so that arrays of one number
   /// per vertex fit into the space that positions leave in the arena.

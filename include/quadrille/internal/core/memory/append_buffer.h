@@ -14,7 +14,7 @@ namespace quadrille::internal {
 template <class T>
 class AppendBuffer {
 public:
-  explicit AppendBuffer(Workspace* workspace = nullptr) : values_(workspace) {}
+  explicit AppendBuffer(Arena* arena = nullptr) : values_(arena) {}
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }

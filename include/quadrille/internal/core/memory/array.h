@@ -42,11 +42,11 @@ struct MemoryNeeds {
 /// which each array takes a range and returns it. So the pages of released arrays serve later ones,
 /// and the system can provide large pages. There is no block if it is not worthwhile, or if none is
 /// available.
-class Workspace {
+class Arena {
 public:
-  static constexpr std::size_t unit = 64; ///< parts begin at multiples of it: a line of a cache
+  static constexpr std::size_t unit = 64; ///< blocks begin at multiples of it: a line of a cache
 
-  explicit Workspace(const MemoryNeeds& needs) {
+  explicit Arena(const MemoryNeeds& needs) {
     const std::size_t size = rounded_up(needs.most);
     if (is_checked || needs.least < large_page)
       return;
@@ -60,9 +60,9 @@ public:
 #endif
     gaps_ = ::new (begin_) Gap{size, nullptr};
   }
-  Workspace(const Workspace&) = delete;
-  Workspace& operator=(const Workspace&) = delete;
-  ~Workspace() {
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+  ~Arena() {
     ::operator delete(begin_, alignment);
   }
 
@@ -77,17 +77,17 @@ public:
       return nullptr;
     Gap* const gap = *best;
     *best =
-        gap->size == size ? gap->next : ::new (behind(gap, size)) Gap{gap->size - size, gap->next};
+        gap->size == size ? gap->next : ::new (after(gap, size)) Gap{gap->size - size, gap->next};
     return gap;
   }
 
   /// Takes back what allocate(bytes) has given.
-  void deallocate(void* part, std::size_t bytes) {
+  void deallocate(void* block, std::size_t bytes) {
     Gap* before = nullptr;
     Gap* next = gaps_;
-    for (; next && std::less<void*>()(next, part); next = next->next)
+    for (; next && std::less<void*>()(next, block); next = next->next)
       before = next;
-    Gap* const gap = ::new (part) Gap{rounded_up(bytes), next};
+    Gap* const gap = ::new (block) Gap{rounded_up(bytes), next};
     (before ? before->next : gaps_) = gap;
     join_with_next(gap);
     if (before)
@@ -95,9 +95,9 @@ public:
   }
 
   /// Does this belong to the block?
-  bool owns(const void* part) const {
-    return begin_ && !std::less<const void*>()(part, begin_) &&
-           std::less<const void*>()(part, end_);
+  bool owns(const void* block) const {
+    return begin_ && !std::less<const void*>()(block, begin_) &&
+           std::less<const void*>()(block, end_);
   }
 
 private:
@@ -122,12 +122,12 @@ private:
   static constexpr std::size_t rounded_up(std::size_t bytes) {
     return (std::max)(unit, (bytes + unit - 1) / unit * unit);
   }
-  static void* behind(Gap* gap, std::size_t size) {
+  static void* after(Gap* gap, std::size_t size) {
     return reinterpret_cast<std::byte*>(gap) + size;
   }
 
   static void join_with_next(Gap* gap) {
-    if (gap->next && behind(gap, gap->size) == gap->next)
+    if (gap->next && after(gap, gap->size) == gap->next)
       *gap = {gap->size + gap->next->size, gap->next->next};
   }
 
@@ -136,7 +136,7 @@ private:
   Gap* gaps_ = nullptr;
 };
 
-/// Takes memory from a workspace, where there is one and it has any left, or by itself; with its
+/// Takes memory from a arena, where there is one and it has any left, or by itself; with its
 /// pages, if `takes_pages`. Goes along when arrays are moved, copied or swapped.
 template <class T, bool takes_pages = true>
 class ArrayAllocator {
@@ -151,15 +151,15 @@ public:
     using other = ArrayAllocator<U, takes_pages>;
   };
 
-  ArrayAllocator(Workspace* workspace = nullptr) : workspace_(workspace) {}
+  ArrayAllocator(Arena* arena = nullptr) : arena_(arena) {}
   template <class U, bool p>
-  ArrayAllocator(const ArrayAllocator<U, p>& other) : workspace_(other.workspace()) {}
+  ArrayAllocator(const ArrayAllocator<U, p>& other) : arena_(other.arena()) {}
   friend bool operator==(const ArrayAllocator&, const ArrayAllocator&) = default;
 
   T* allocate(std::size_t count) {
     T* memory = nullptr;
-    if (workspace_ && alignof(T) <= Workspace::unit)
-      memory = static_cast<T*>(workspace_->allocate(count * sizeof(T)));
+    if (arena_ && alignof(T) <= Arena::unit)
+      memory = static_cast<T*>(arena_->allocate(count * sizeof(T)));
     if (!memory)
       memory = std::allocator<T>().allocate(count);
     if constexpr (takes_pages)
@@ -167,16 +167,16 @@ public:
     return memory;
   }
   void deallocate(T* memory, std::size_t count) {
-    if (workspace_ && workspace_->owns(memory))
-      workspace_->deallocate(memory, count * sizeof(T));
+    if (arena_ && arena_->owns(memory))
+      arena_->deallocate(memory, count * sizeof(T));
     else
       std::allocator<T>().deallocate(memory, count);
   }
 
-  Workspace* workspace() const { return workspace_; }
+  Arena* arena() const { return arena_; }
 
 private:
-  Workspace* workspace_;
+  Arena* arena_;
 };
 
 /// Leaves what an array grows by without a value, where the type allows that.

@@ -48,7 +48,7 @@ public:
   /// With which cost does the pair go back, if it now costs more than it may?
   std::optional<float> costlier(const Candidate&) { return std::nullopt; }
   /// Is it certain to be too far from the input, before its star is known?
-  bool is_beyond_hub(const Candidate&) { return false; }
+  bool is_beyond_high_valence(const Candidate&) { return false; }
   /// Would it take more than there is left for it? Then it goes back as it is.
   bool is_too_large(const PairStar&) { return false; }
   /// Why it must not be done, if so. It may get another place.
@@ -81,14 +81,14 @@ QUADRILLE_ALWAYS_INLINE inline Attempt attempt(WorkingSurface<Policies>& surface
   Candidate<Cost> candidate = surface.evaluator().evaluate(first, second); // the target, its cost
   if (const auto key = judge.costlier(candidate))
     return Attempt::put_back(*key);
-  if (judge.is_beyond_hub(candidate))
+  if (judge.is_beyond_high_valence(candidate))
     return Attempt::rejected(Rejection::distance);
 
   Contraction<Cost> contraction(candidate, GatheredStar(surface.complex(), first, second, scratch));
   if (judge.is_too_large(contraction.star()))
     return Attempt::put_back(static_cast<float>(candidate.key));
   if constexpr (looks_at_star<Placement>) { // which determines the target
-    if (!surface.evaluator().settle(candidate, contraction.star()))
+    if (!surface.evaluator().resolve(candidate, contraction.star()))
       return {Outcome::rejected, Placement::cause, 0, candidate.error};
     if (const auto key = judge.costlier(candidate))
       return Attempt::put_back(*key);

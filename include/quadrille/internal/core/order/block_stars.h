@@ -20,7 +20,7 @@ class BlockStars {
 public:
   static constexpr std::size_t joined_blocks = 8;
 
-  explicit BlockStars(Workspace* workspace) : joins_needed_(workspace) {}
+  explicit BlockStars(Arena* arena) : joins_needed_(arena) {}
 
   /// For blocks of 2^bits vertices. No vertex has been contracted.
   void measure(const TriangleComplex& complex, int bits, Threads threads) {

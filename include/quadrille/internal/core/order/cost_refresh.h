@@ -27,8 +27,8 @@ public:
   static constexpr std::size_t many = 64;
 
   /// A vertex is one of them when its unevenness has fallen by more than a factor `fall`.
-  FlattenedVertices(std::size_t vertices, float fall, Workspace* workspace = nullptr)
-      : unevenness_(vertices, 0, workspace), fall_(fall) {
+  FlattenedVertices(std::size_t vertices, float fall, Arena* arena = nullptr)
+      : unevenness_(vertices, 0, arena), fall_(fall) {
     found_.reserve(2 * many);
   }
 
@@ -70,7 +70,7 @@ public:
   CostRefresh(WorkingSurface<Policies>& surface, PairVersions& versions)
       : surface_(surface), versions_(versions),
         flattened_(looks_for_flattened ? versions.size() : 0, tolerated_fall<Cost>,
-                   surface.complex().workspace()) {
+                   surface.complex().arena()) {
     for (Index v = 0; v < versions.size(); ++v)
       note(v);
   }
@@ -95,7 +95,7 @@ public:
   }
 
 private:
-  static constexpr bool looks_for_flattened = tells_unevenness<Cost>;
+  static constexpr bool looks_for_flattened = measures_unevenness<Cost>;
 
   template <class Push>
   QUADRILLE_NOINLINE void push_flattened(Push push) {

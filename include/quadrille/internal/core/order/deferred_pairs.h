@@ -15,14 +15,14 @@ class DeferredPairs {
 public:
   /// How many times what comes first in the order meeting a target exactly is worth: a little
   /// error, and no more.
-  static constexpr double dearest_exact = 4;
+  static constexpr double costliest_exact = 4;
 
   bool empty() const { return next_ == pairs_.size(); }
 
   /// Puts a pair with this key aside.
   void defer(const QueuedPair& pair, double key) {
     if (empty())
-      highest_cost_ = dearest_exact * key;
+      highest_cost_ = costliest_exact * key;
     pairs_.push_back(pair);
   }
   /// Is that more than meeting the target exactly is worth, by what the first of the pairs here

@@ -20,7 +20,7 @@ public:
 
   explicit DistanceStop(WorkingSurface<Policies>& surface)
       : surface_(surface), is_asking_(surface.policies().stop.needs().distance),
-        none_(surface.policies().stop.needs().distance_back ? 0 : infinity),
+        none_(surface.policies().stop.needs().reverse_distance ? 0 : infinity),
         unused_(surface.policies().stop.needs().tolerance ? 0 : infinity) {}
 
   bool is_asking() const { return is_asking_; }
@@ -30,15 +30,16 @@ public:
       return false;
     Status status = surface_.status();
     const bool result = surface_.distances()->is_too_far(contraction, status);
-    announce(status.next_distance, status.next_distance_back, status.next_tolerance);
+    announce(status.next_distance, status.next_reverse_distance, status.next_tolerance);
     surface_.progress().announce(contraction.error());
     return result;
   }
   /// Answers this, if it can be seen quickly, for a candidate whose position has been determined.
-  bool is_beyond_hub(const Candidate<Cost>& candidate) {
+  bool is_beyond_high_valence(const Candidate<Cost>& candidate) {
     if constexpr (!looks_at_star<typename Policies::Placement>)
       return is_asking_ && !is_enough_without() &&
-             surface_.distances()->is_beyond_hub(candidate, surface_.scratch(), surface_.status());
+             surface_.distances()->is_beyond_high_valence(candidate, surface_.scratch(),
+                                                          surface_.status());
     else
       return false;
   }
@@ -58,9 +59,9 @@ public:
   }
 
 private:
-  void announce(double distance, double back, double tolerance) {
+  void announce(double distance, double reverse, double tolerance) {
     surface_.progress().announce_distance(distance);
-    surface_.progress().announce_distance_back(back);
+    surface_.progress().announce_reverse_distance(reverse);
     surface_.progress().announce_tolerance(tolerance);
   }
 

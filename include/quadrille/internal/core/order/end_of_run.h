@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/contraction/working_surface.h>
-#include <quadrille/internal/core/order/hold.h>
+#include <quadrille/internal/core/order/blockage.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/contraction.h>
 #include <quadrille/internal/core/state/feature_loss.h>
@@ -22,7 +22,7 @@ template <class Policies>
 bool stops_at_a_count(const WorkingSurface<Policies>& surface) {
   Status status = surface.status();
   status.faces = status.vertices = status.edges = 0;
-  status.next_error = status.next_distance = status.next_distance_back = status.next_tolerance =
+  status.next_error = status.next_distance = status.next_reverse_distance = status.next_tolerance =
       status.next_cost = 0;
   return surface.policies().stop(status);
 }
@@ -44,7 +44,7 @@ public:
   using Contraction = internal::Contraction<Cost>;
 
   explicit EndOfRun(WorkingSurface<Policies>& surface)
-      : surface_(surface), hold_(surface), has_count_(stops_at_a_count(surface)) {}
+      : surface_(surface), blockage_(surface), has_count_(stops_at_a_count(surface)) {}
 
   /// See stops_at_a_count().
   bool has_count() const { return has_count_; }
@@ -53,12 +53,12 @@ public:
   /// many? The mean over all planes in their states hides the positions of some of them.
   bool is_near(std::size_t waiting) const {
     const Status& status = surface_.status();
-    return waiting > 0 && many * status.faces < status.initial_faces && hold_.is_awake(waiting);
+    return waiting > 0 && many * status.faces < status.initial_faces && blockage_.is_awake(waiting);
   }
 
   /// Is it here, where what destroys is rejected?
   bool is_here(std::size_t waiting) {
-    return waiting > 0 && has_count_ && hold_.is_awake(waiting) && hold_.is_of_most();
+    return waiting > 0 && has_count_ && blockage_.is_awake(waiting) && blockage_.is_of_most();
   }
 
   /// Would the contraction destroy what constraints leave free? `waiting` constrained pairs wait.
@@ -68,12 +68,12 @@ public:
 
 private:
   QUADRILLE_NOINLINE bool destroys(const Contraction& contraction, std::size_t waiting) {
-    if (!hold_.is_awake(waiting))
+    if (!blockage_.is_awake(waiting))
       return false;
     take_note();
     return (is_cliff(contraction) || surface_.shape_check().spoils(contraction) ||
             is_coarse(contraction)) &&
-           hold_.is_of_most();
+           blockage_.is_of_most();
   }
 
   // Each chart that is kept is constrained on its own, and so is each region of labels: its
@@ -95,7 +95,7 @@ private:
     double moved;
   };
 
-  double moved() const { return Displacement::part(surface_.progress().moved()); }
+  double moved() const { return Displacement::fraction(surface_.progress().moved()); }
 
   // Once for each hundredth of the faces.
   void take_note() {
@@ -114,7 +114,7 @@ private:
 
   bool is_cliff(const Contraction& contraction) {
     if constexpr (knows_errors<Cost>) {
-      const double after = moved() + Displacement::part(surface_.displacement_of(contraction));
+      const double after = moved() + Displacement::fraction(surface_.displacement_of(contraction));
       return std::sqrt(after) > greatest_growth * std::sqrt(moved_before()) + next_to_nothing;
     } else {
       return false;
@@ -127,7 +127,7 @@ private:
   static constexpr double next_to_nothing = 1e-4;  // of the diagonal, over a square of it
 
   WorkingSurface<Policies>& surface_;
-  Hold<Policies> hold_;
+  Blockage<Policies> blockage_;
   const bool has_count_;
   std::vector<Note> notes_;
   std::size_t oldest_ = 0; // of the notes that count

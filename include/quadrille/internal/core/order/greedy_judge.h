@@ -11,7 +11,7 @@
 #include <quadrille/internal/core/order/end_of_run.h>
 #include <quadrille/internal/core/order/pair_queue.h>
 #include <quadrille/internal/core/order/pair_supply.h>
-#include <quadrille/internal/core/order/vanishing_parts.h>
+#include <quadrille/internal/core/order/vanishing_components.h>
 #include <quadrille/internal/core/pairs/candidate.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/contraction.h>
@@ -27,7 +27,7 @@ namespace quadrille::internal {
 template <class Evaluator, class Contraction>
 bool may_move_to_end(const Evaluator& evaluator, const Contraction& contraction) {
   const auto& geometry = evaluator.state().geometry;
-  return contraction.star().hub == none && !geometry.is_fixed(contraction.first()) &&
+  return contraction.star().high_valence == none && !geometry.is_fixed(contraction.first()) &&
          !geometry.is_fixed(contraction.second());
 }
 
@@ -51,8 +51,8 @@ QUADRILLE_NOINLINE bool moves_to_end(const Evaluator& evaluator, Contraction& co
 /// Decides attempts in the greedy order.
 ///
 /// A cost that looks at the current surface can make a pair more costly while it waits, and so can
-/// a hub; such a pair goes back, and so does one that would spoil the shape of the rest. One that
-/// would go beyond the target is deferred.
+/// a high-valence vertex; such a pair goes back, and so does one that would spoil the shape of the
+/// rest. One that would go beyond the target is deferred.
 template <class Policies>
 class GreedyJudge : public Judge<Policies> {
 public:
@@ -60,8 +60,8 @@ public:
   using typename Judge<Policies>::Contraction;
 
   GreedyJudge(WorkingSurface<Policies>& surface, const PairSupply<Policies>& supply,
-              const VanishingParts<Policies>& parts)
-      : Judge<Policies>(surface), supply_(supply), parts_(parts), distance_stop_(surface),
+              const VanishingComponents<Policies>& components)
+      : Judge<Policies>(surface), supply_(supply), components_(components), distance_stop_(surface),
         cost_stop_(surface), end_of_run_(surface),
         least_spoiling_(end_of_run_.has_count() && surface.state().is_topology_kept
                             ? surface.shape_check().least_error()
@@ -74,23 +74,27 @@ public:
   /// The pair at hand.
   void begin(const QueuedPair& pair) { queued_cost_ = pair.cost; }
 
-  // By more than a little at a hub, where each contraction makes all pairs more costly.
+  // By more than a little at a high-valence vertex, where each contraction makes all pairs more
+  // costly.
   std::optional<float> costlier(const Candidate& candidate, bool has_moved = false) {
     this->surface().progress().announce(candidate.error);
     constexpr bool may_rise = has_local_terms<Cost> || looks_at_star<Placement>;
-    const bool is_at_hub =
-        this->surface().complex().hubs().of_pair(candidate.first, candidate.second) != none;
-    if (!may_rise && !is_at_hub && !supply_.tries_ends() && !has_moved)
+    const bool is_at_high_valence = this->surface().complex().high_valence_vertices().of_pair(
+                                        candidate.first, candidate.second) != none;
+    if (!may_rise && !is_at_high_valence && !supply_.tries_ends() && !has_moved)
       return std::nullopt;
     const auto key = static_cast<float>(candidate.key);
-    const float tolerated =
-        is_at_hub ? (std::max)(tolerated_rise_at_hub, tolerated_rise<Cost>) : tolerated_rise<Cost>;
+    const float tolerated = is_at_high_valence
+                                ? (std::max)(tolerated_rise_at_high_valence, tolerated_rise<Cost>)
+                                : tolerated_rise<Cost>;
     if (!(key > tolerated * queued_cost_) || supply_.is_last_resort())
       return std::nullopt;
     return key;
   }
 
-  bool is_beyond_hub(const Candidate& candidate) { return distance_stop_.is_beyond_hub(candidate); }
+  bool is_beyond_high_valence(const Candidate& candidate) {
+    return distance_stop_.is_beyond_high_valence(candidate);
+  }
 
   std::optional<Rejection> rejection(Contraction& contraction) {
     if (const auto cause = this->surface().checks().rejection(contraction))
@@ -114,11 +118,11 @@ public:
   Attempt verdict(Contraction& contraction) {
     if (cost_stop_.is_enough_at(contraction.key()))
       return Attempt::stopped(contraction.key());
-    if (end_of_run_.is_destroyed_by(contraction, supply_.waiting().held()))
+    if (end_of_run_.is_destroyed_by(contraction, supply_.waiting().blocked()))
       return Attempt::rejected(Rejection::destruction);
     if (supply_.is_last_resort())
       return {};
-    if (const auto key = key_behind_others(contraction))
+    if (const auto key = key_after_others(contraction))
       return Attempt::put_back(*key);
     if (const auto key = measured_key(contraction))
       return Attempt::put_back(*key);
@@ -129,7 +133,7 @@ private:
   using Cost = typename Policies::Cost;
   using Placement = typename Policies::Placement;
 
-  static constexpr float tolerated_rise_at_hub = 1.25f;
+  static constexpr float tolerated_rise_at_high_valence = 1.25f;
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
   // Has a guard rejected a pair because of faces that may change?
@@ -160,14 +164,14 @@ private:
 
   // Would it spoil the shape of a large component or region, while others may meet the target? Then
   // it comes after these.
-  std::optional<float> key_behind_others(const Contraction& contraction) {
+  std::optional<float> key_after_others(const Contraction& contraction) {
     if (contraction.error() <= least_spoiling_) [[likely]]
       return std::nullopt;
     return strained_key(contraction);
   }
   QUADRILLE_NOINLINE std::optional<float> strained_key(const Contraction& contraction) {
     WorkingSurface<Policies>& surface = this->surface();
-    surface.state().measure_parts();
+    surface.state().measure_components();
     if (!surface.shape_check().has_any())
       least_spoiling_ = no_limit;
     const double strain = surface.shape_check().strain(contraction);
@@ -178,7 +182,7 @@ private:
   // Does it move the surface further than its error says? Then it comes after those that cost less
   // than the measured value.
   std::optional<float> measured_key(Contraction& contraction) {
-    if (!end_of_run_.is_near(supply_.waiting().held()))
+    if (!end_of_run_.is_near(supply_.waiting().blocked()))
       return std::nullopt;
     double excess = this->surface().shape_check().excess(contraction);
     if (!(excess > 1)) [[likely]]
@@ -197,8 +201,8 @@ private:
       internal::moves_to_end(this->surface().evaluator(), contraction, [&](Contraction& c) {
         if (!rejection(c)) {
           const double excess_there = this->surface().shape_check().excess(c);
-          if (const double way = c.error() * excess_there; way < least) {
-            least = way;
+          if (const double loss = c.error() * excess_there; loss < least) {
+            least = loss;
             excess = excess_there;
             best = c.candidate();
           }
@@ -213,12 +217,12 @@ private:
   // costs too much more than the first that would have had its turn?
   bool misses_target(const Contraction& contraction) {
     return supply_.deferred().is_too_costly(contraction.cost()) ||
-           parts_.is_too_costly(contraction.key()) ||
+           components_.is_too_costly(contraction.key()) ||
            this->surface().run().target_rules().overshoots(contraction, this->surface().status());
   }
 
   const PairSupply<Policies>& supply_;
-  const VanishingParts<Policies>& parts_;
+  const VanishingComponents<Policies>& components_;
   DistanceStop<Policies> distance_stop_;
   CostStop<Policies> cost_stop_;
   EndOfRun<Policies> end_of_run_;

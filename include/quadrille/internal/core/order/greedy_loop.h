@@ -3,12 +3,12 @@
 
 #include <quadrille/internal/core/contraction/working_surface.h>
 #include <quadrille/internal/core/order/attempt.h>
+#include <quadrille/internal/core/order/blockage.h>
 #include <quadrille/internal/core/order/greedy_judge.h>
-#include <quadrille/internal/core/order/hold.h>
 #include <quadrille/internal/core/order/pair_queue.h>
 #include <quadrille/internal/core/order/pair_supply.h>
 #include <quadrille/internal/core/order/pair_updates.h>
-#include <quadrille/internal/core/order/vanishing_parts.h>
+#include <quadrille/internal/core/order/vanishing_components.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/contraction.h>
 #include <quadrille/report.h>
@@ -29,7 +29,8 @@ class GreedyLoop {
 public:
   /// Selects all pairs, and computes what each costs.
   explicit GreedyLoop(WorkingSurface<Policies>& surface)
-      : surface_(surface), supply_(surface), parts_(surface), judge_(surface, supply_, parts_),
+      : surface_(surface), supply_(surface), components_(surface),
+        judge_(surface, supply_, components_),
         updates_(surface, supply_.queue(), supply_.waiting()) {
     supply_.fill();
   }
@@ -85,12 +86,15 @@ private:
   // satisfied by that.
   std::optional<QueuedPair> cheapest_pair() {
     std::optional<QueuedPair> next = supply_.take();
-    while (parts_.has_below(next ? static_cast<double>(next->cost) : no_limit,
-                            supply_.is_last_resort())) {
+    while (components_.has_below(next ? static_cast<double>(next->cost) : no_limit,
+                                 supply_.is_last_resort())) {
       if (next)
         supply_.queue().push_again(*next);
-      const auto is_end = [this] { return judge_.end_of_run().is_here(supply_.waiting().held()); };
-      if (is_cancelled() || !parts_.vanish_next([this](Index v) { updates_.forget(v); }, is_end))
+      const auto is_end = [this] {
+        return judge_.end_of_run().is_here(supply_.waiting().blocked());
+      };
+      if (is_cancelled() ||
+          !components_.vanish_next([this](Index v) { updates_.forget(v); }, is_end))
         return std::nullopt;
       next = supply_.take();
     }
@@ -104,7 +108,7 @@ private:
     const auto* const guard = surface_.guards().with_obstacles(cause);
     if (guard)
       supply_.note_obstacle();
-    supply_.waiting().add(pair, Hold<Policies>::is_by(cause), guard ? guard->obstacle() : none);
+    supply_.waiting().add(pair, Blockage<Policies>::is_by(cause), guard ? guard->obstacle() : none);
   }
 
   // The pair costs more than the stop policy allows: has it become more costly while it was in the
@@ -127,9 +131,9 @@ private:
       return StopReason::cancelled;
     judge_.cost_stop().announce_end();
     if (judge_.distance_stop().is_enough_without() || has_met_distance_ ||
-        parts_.has_met_distance())
+        components_.has_met_distance())
       return surface_.run().target_rules().reason_of_stop(surface_.status());
-    if (has_met_destruction_ || parts_.has_met_destruction())
+    if (has_met_destruction_ || components_.has_met_destruction())
       return StopReason::target_unreachable;
     return supply_.waiting().empty() ? StopReason::no_pair_left : StopReason::all_pairs_rejected;
   }
@@ -143,7 +147,7 @@ private:
 
   WorkingSurface<Policies>& surface_;
   PairSupply<Policies> supply_;
-  VanishingParts<Policies> parts_;
+  VanishingComponents<Policies> components_;
   GreedyJudge<Policies> judge_;
   PairUpdates<Policies> updates_;
   std::size_t pairs_seen_ = 0;

@@ -42,7 +42,7 @@ struct QueuedPair {
 class PairQueue {
 public:
   /// Makes room for `expected` pairs that are up to date at one time.
-  explicit PairQueue(std::size_t expected, Workspace* workspace = nullptr) : blocks_(workspace) {
+  explicit PairQueue(std::size_t expected, Arena* arena = nullptr) : blocks_(arena) {
     blocks_.reserve(most_blocks(expected) + bucket_count);
     take_pages(blocks_.data(), (expected + expected / 8) / Block::capacity * sizeof(Block));
     size_to_drop_at_ = most_blocks(expected) + bucket_count / 8;

@@ -55,7 +55,7 @@ public:
                PairQueue::expected_pairs(
                    surface.pairs().count(surface.status().faces, surface.status().vertices),
                    surface.complex().vertex_capacity()),
-               surface.complex().workspace()),
+               surface.complex().arena()),
         waiting_(surface.complex()) {}
 
   VersionedQueue& queue() { return queue_; }
@@ -96,7 +96,7 @@ public:
   /// Have rejected pairs another turn, once no others are left? Then they are in the queue.
   bool have_another_turn() {
     return waiting_.release_rest(queue_.versions().time(), push_again()) || may_try_ends() ||
-           may_have_way();
+           may_proceed();
   }
 
   /// A guard has rejected a pair because of other faces.
@@ -104,7 +104,8 @@ public:
 
 private:
   static constexpr Index vertices_between_visits = 1 << 16;
-  static constexpr double part_that_pays = 0.95; // of the faces left since the last look for a way
+  static constexpr double fraction_that_pays =
+      0.95; // of the faces left since the last look for a way
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
   auto push_again() {
@@ -116,11 +117,12 @@ private:
     return !complex.has_faces(pair.first) || !complex.has_faces(pair.second);
   }
 
-  // Once no pair is left where vertices may go to the places of least cost: around a hub these are
-  // ill-determined by narrow faces that look all in about the same direction, and so they are on
-  // flat walls between holes. Then those that were rejected have another turn.
+  // Once no pair is left where vertices may go to the places of least cost: around a high-valence
+  // vertex these are ill-determined by narrow faces that look all in about the same direction, and
+  // so they are on flat walls between holes. Then those that were rejected have another turn.
   QUADRILLE_NOINLINE bool may_try_ends() {
-    if (tries_ends_ || waiting_.empty() || !(surface_.complex().hubs().any() || guards_shapes()))
+    if (tries_ends_ || waiting_.empty() ||
+        !(surface_.complex().high_valence_vertices().any() || guards_shapes()))
       return false;
     tries_ends_ = true;
     waiting_.release_all(push_again());
@@ -131,17 +133,17 @@ private:
   bool guards_shapes() {
     if (!stops_at_a_count(surface_) || !surface_.state().is_topology_kept)
       return false;
-    surface_.state().measure_parts();
+    surface_.state().measure_components();
     return surface_.shape_check().has_any();
   }
 
   // Once no pair is left, faces may have gone from where others were rejected for meeting them:
   // that need not be near the pairs. As long as looking at all of them again pays.
-  QUADRILLE_NOINLINE bool may_have_way() {
+  QUADRILLE_NOINLINE bool may_proceed() {
     const auto faces = static_cast<double>(surface_.status().faces);
-    if (!has_met_obstacle_ || faces > part_that_pays * faces_before_way_)
+    if (!has_met_obstacle_ || faces > fraction_that_pays * faces_before_search_)
       return false;
-    faces_before_way_ = faces;
+    faces_before_search_ = faces;
     waiting_.release_all(push_again());
     return true;
   }
@@ -153,7 +155,7 @@ private:
   bool is_last_resort_ = false;
   bool tries_ends_ = false;
   bool has_met_obstacle_ = false;
-  double faces_before_way_ = no_limit; // see may_have_way()
+  double faces_before_search_ = no_limit; // see may_proceed()
 };
 
 } // namespace quadrille::internal

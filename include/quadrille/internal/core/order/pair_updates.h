@@ -23,8 +23,8 @@ namespace quadrille::internal {
 ///
 /// It outdates the pairs of the two ends: their costs are computed again, and old entries of the
 /// queue are dropped when their turn comes. Pairs next to it may have become cheaper (CostRefresh)
-/// or may no longer be rejected (WaitingPairs). At a hub to which a vertex has moved, only the
-/// pairs next to that vertex are visited.
+/// or may no longer be rejected (WaitingPairs). At a high-valence vertex to which a vertex has
+/// moved, only the pairs next to that vertex are visited.
 template <class Policies>
 class PairUpdates {
 public:
@@ -37,14 +37,14 @@ public:
   /// A contraction has been done that has left the vertex `kept`.
   void follow(const Contraction& contraction, Index kept) {
     queue_.versions().advance();
-    if (waiting_.has_behind()) [[unlikely]]
-      release_behind(contraction.star());
-    if (contraction.star().hub != none && surface_.pairs().are_edges())
-      follow_at_hub(contraction);
+    if (waiting_.has_obstructed()) [[unlikely]]
+      release_obstructed(contraction.star());
+    if (contraction.star().high_valence != none && surface_.pairs().are_edges())
+      update_at_high_valence(contraction);
     else
-      follow_around(contraction, kept);
-    if (surface_.complex().hubs().any())
-      review_hubs();
+      update_around(contraction, kept);
+    if (surface_.complex().high_valence_vertices().any())
+      review_high_valence();
   }
 
   /// All pairs of a vertex are outdated, for good.
@@ -61,7 +61,7 @@ private:
     return [this](const QueuedPair& pair) { queue_.push_again(pair); };
   }
 
-  QUADRILLE_ALWAYS_INLINE void follow_around(const Contraction& contraction, Index kept) {
+  QUADRILLE_ALWAYS_INLINE void update_around(const Contraction& contraction, Index kept) {
     for (Index end : {contraction.first(), contraction.second()})
       forget(end);
     queue_.versions().renew(kept);
@@ -79,11 +79,12 @@ private:
       push_all(v);
   }
 
-  // The pairs that a hub had stay as they are: where they have become more costly, they go back
-  // when their turn comes. It gets further ones with neighbours of the vertex that has come to it.
-  QUADRILLE_NOINLINE void follow_at_hub(const Contraction& contraction) {
+  // The pairs that a high-valence vertex had stay as they are: where they have become more costly,
+  // they go back when their turn comes. It gets further ones with neighbours of the vertex that has
+  // come to it.
+  QUADRILLE_NOINLINE void update_at_high_valence(const Contraction& contraction) {
     const PairStar& star = contraction.star();
-    const bool is_first = star.hub == contraction.first();
+    const bool is_first = star.high_valence == contraction.first();
     forget(is_first ? contraction.second() : contraction.first());
     release_around(star);
     neighbours_.clear();
@@ -100,19 +101,20 @@ private:
       refresh_.look_at(w);
       if (std::none_of(star.shared.begin(), star.shared.end(), is_at(w)) &&
           std::none_of(others.begin(), others.end(), is_at(w)))
-        queue_.push(star.hub, w, surface_.evaluator().key_of({star.hub, w}));
+        queue_.push(star.high_valence, w, surface_.evaluator().key_of({star.high_valence, w}));
     }
-    refresh_.note(star.hub);
+    refresh_.note(star.high_valence);
     refresh_.run(push_pair());
   }
 
-  // A vertex that is no longer a hub may move. The boundary terms of the others have been computed
-  // again.
-  QUADRILLE_NOINLINE void review_hubs() {
-    surface_.complex().review_hubs([this](Index v) {
+  // A vertex that is no longer a high-valence vertex may move. The boundary terms of the others
+  // have been computed again.
+  QUADRILLE_NOINLINE void review_high_valence() {
+    surface_.complex().review_high_valence([this](Index v) {
       surface_.sum_up_terms(v);
       const TriangleComplex& complex = surface_.complex();
-      if (complex.hubs().has(v) || queue_.versions().is_retired(v) || !complex.has_faces(v))
+      if (complex.high_valence_vertices().has(v) || queue_.versions().is_retired(v) ||
+          !complex.has_faces(v))
         return;
       queue_.versions().advance();
       queue_.versions().renew(v);
@@ -137,10 +139,10 @@ private:
   }
 
   // Faces that have changed or are gone may have obstructed pairs anywhere.
-  QUADRILLE_NOINLINE void release_behind(const PairStar& star) {
+  QUADRILLE_NOINLINE void release_obstructed(const PairStar& star) {
     for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
-        waiting_.release_behind(f.face, push_again());
+        waiting_.release_obstructed(f.face, push_again());
   }
 
   void push_all(Index v) {
@@ -170,7 +172,7 @@ private:
       queue_.push(v, new_pairs_[i].second, new_pairs_[i].first);
     for (std::size_t i = pushed; i < new_pairs_.size(); ++i)
       waiting_.add(queue_.versions().pair_now(v, new_pairs_[i].second, new_pairs_[i].first));
-    waiting_.note_left_behind(v);
+    waiting_.note_left_waiting(v);
   }
 
   WorkingSurface<Policies>& surface_;
@@ -178,7 +180,7 @@ private:
   VersionedQueue& queue_;
   WaitingPairs& waiting_;
   CostRefresh<Policies> refresh_;
-  std::vector<Index> neighbours_;                  // of a vertex that has come to a hub
+  std::vector<Index> neighbours_; // of a vertex that has come to a high-valence vertex
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: key and partner
 };
 

@@ -23,7 +23,7 @@ struct Proposal {
 /// The proposals that a thread is at, and those that it leaves for later.
 class Proposals {
 public:
-  explicit Proposals(Workspace* workspace) : now_(workspace), others_(workspace) {}
+  explicit Proposals(Arena* arena) : now_(arena), others_(arena) {}
 
   void clear() { now_.clear(); }
   void reserve(std::size_t count) { now_.extend(count); }

@@ -9,7 +9,7 @@
 #include <quadrille/internal/core/order/block_stars.h>
 #include <quadrille/internal/core/order/cost_stop.h>
 #include <quadrille/internal/core/order/proposals.h>
-#include <quadrille/internal/core/order/vanishing_parts.h>
+#include <quadrille/internal/core/order/vanishing_components.h>
 #include <quadrille/internal/core/policy/orders.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/cleanup.h>
@@ -94,8 +94,8 @@ bool is_stop_in_pass(const WorkingSurface<Policies>& surface,
   if (!stop.needs().distance)
     return stop(status);
   status.next_distance = 0;
-  if (stop.needs().distance_back)
-    status.next_distance_back = 0;
+  if (stop.needs().reverse_distance)
+    status.next_reverse_distance = 0;
   if (stop.needs().tolerance)
     status.next_tolerance = 0;
   return stop(status) || surface.distances()->is_too_far(contraction, status);
@@ -107,19 +107,19 @@ class RelaxedPasses {
 public:
   RelaxedPasses(WorkingSurface<Policies>& surface, const PassSettings& settings)
       : surface_(surface), settings_(settings),
-        count_(surface.state().is_topology_kept, surface.complex().backs()), cost_stop_(surface),
-        stars_(surface.complex().workspace()) {
-    Workspace* const workspace = surface.complex().workspace(); // for one thread
+        count_(surface.state().is_topology_kept, surface.complex().reverse_faces()),
+        cost_stop_(surface), stars_(surface.complex().arena()) {
+    Arena* const arena = surface.complex().arena(); // for one thread
     for (Scratch& scratch : surface.state().scratches)
       workers_.push_back(
-          {scratch, Proposals(surface.state().scratches.size() == 1 ? workspace : nullptr)});
+          {scratch, Proposals(surface.state().scratches.size() == 1 ? arena : nullptr)});
   }
 
   /// Passes as long as they pay. False if the visitor said so.
   bool run() {
     for (;;) {
       const Status before = surface_.status();
-      const std::size_t least = (std::max)(least_contractions, before.vertices / least_part);
+      const std::size_t least = (std::max)(least_contractions, before.vertices / least_fraction);
       const std::size_t quota = count_.contractions(surface_.policies().stop, before);
       if (quota < least)
         return true;
@@ -149,7 +149,7 @@ private:
   };
 
   // A pass of fewer contractions, or of a smaller fraction of the vertices, is not worthwhile.
-  static constexpr std::size_t least_contractions = 64, least_part = 32;
+  static constexpr std::size_t least_contractions = 64, least_fraction = 32;
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
   static constexpr std::size_t joined_blocks = BlockStars::joined_blocks;
   static constexpr std::size_t no_quota = ~std::size_t{0}; // of contractions
@@ -182,16 +182,17 @@ private:
     if (workers_.size() == 1)
       workers_.front().proposals.release(); // what comes next needs as much
     surface_.end_pass(settings_.refresh);
-    let_parts_vanish(static_cast<double>(plan.cost_limit));
+    let_components_vanish(static_cast<double>(plan.cost_limit));
     return left;
   }
 
   // Lets components vanish that cost less than the pairs of the pass.
-  void let_parts_vanish(double limit) {
+  void let_components_vanish(double limit) {
     if (limit == std::numeric_limits<double>::infinity())
       return; // the pairs that cost most are for the greedy order
-    VanishingParts<Policies> parts(surface_);
-    while (parts.has_below(limit, false) && parts.vanish_next([](Index) {}, [] { return false; })) {
+    VanishingComponents<Policies> components(surface_);
+    while (components.has_below(limit, false) &&
+           components.vanish_next([](Index) {}, [] { return false; })) {
     }
     cost_stop_.announce_none();
   }
@@ -275,14 +276,14 @@ private:
   void join_blocks() {
     std::vector<Block> joined;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      Block& part = blocks_[i];
+      Block& member = blocks_[i];
       if (i % joined_blocks == 0)
-        joined.push_back({part.begin, part.end});
+        joined.push_back({member.begin, member.end});
       Block& block = joined.back();
-      block.end = part.end;
-      block.quota += part.quota;
-      block.rest.insert(block.rest.end(), part.rest.begin(), part.rest.end());
-      part.rest = std::vector<Proposal>();
+      block.end = member.end;
+      block.quota += member.quota;
+      block.rest.insert(block.rest.end(), member.rest.begin(), member.rest.end());
+      member.rest = std::vector<Proposal>();
     }
     blocks_ = std::move(joined);
     stars_.join();
@@ -356,7 +357,7 @@ private:
     TargetRules<Policies>& rules = surface_.run().target_rules();
     return is_stop_in_pass(surface_, contraction) ||
            rules.overshoots(contraction, surface_.status()) || rules.is_coarse(contraction) ||
-           surface_.shape_check().spoils_part(contraction) || cuts_off_touched(contraction);
+           surface_.shape_check().spoils_component(contraction) || cuts_off_touched(contraction);
   }
 
   bool cuts_off_touched(const Contraction& contraction) const {
@@ -374,7 +375,7 @@ private:
   std::vector<Worker> workers_;
 };
 
-/// For OptionalParts.
+/// For OptionalModules.
 template <class Policies>
 bool run_passes(WorkingSurface<Policies>& surface, const PassSettings& settings) {
   return RelaxedPasses<Policies>(surface, settings).run();

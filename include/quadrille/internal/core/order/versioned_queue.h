@@ -19,7 +19,7 @@ namespace quadrille::internal {
 /// without a search.
 class PairVersions {
 public:
-  PairVersions(std::size_t vertices, Workspace* workspace) : versions_(vertices, 0, workspace) {}
+  PairVersions(std::size_t vertices, Arena* arena) : versions_(vertices, 0, arena) {}
 
   std::size_t size() const { return versions_.size(); }
   std::uint32_t time() const { return time_; }
@@ -57,8 +57,8 @@ private:
 class VersionedQueue {
 public:
   /// Makes room for `expected` pairs that are up to date at one time.
-  VersionedQueue(std::size_t vertices, std::size_t expected, Workspace* workspace)
-      : versions_(vertices, workspace), queue_(expected, workspace) {}
+  VersionedQueue(std::size_t vertices, std::size_t expected, Arena* arena)
+      : versions_(vertices, arena), queue_(expected, arena) {}
 
   PairVersions& versions() { return versions_; }
   const PairVersions& versions() const { return versions_; }

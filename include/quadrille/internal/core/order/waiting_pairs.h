@@ -21,19 +21,19 @@ namespace quadrille::internal {
 /// came.
 class RejectedPairs {
 public:
-  explicit RejectedPairs(std::size_t vertices, Workspace* workspace = nullptr)
-      : last_entry_(vertices, none, workspace) {}
+  explicit RejectedPairs(std::size_t vertices, Arena* arena = nullptr)
+      : last_entry_(vertices, none, arena) {}
 
-  /// `is_held`: is it one of those that held() counts? `face`: the face that obstructed it.
-  void add(const QueuedPair& pair, bool is_held = false, Index face = none) {
+  /// `is_blocked`: is it one of those that blocked() counts? `face`: the face that obstructed it.
+  void add(const QueuedPair& pair, bool is_blocked = false, Index face = none) {
     const Index slot = new_slot();
-    slots_[slot] = {pair, {none, none, none}, 2, is_held, true};
+    slots_[slot] = {pair, {none, none, none}, 2, is_blocked, true};
     link(last_entry_[pair.first], lists * slot);
     link(last_entry_[pair.second], lists * slot + 1);
     ++size_;
-    held_ += is_held;
+    blocked_ += is_blocked;
     if (face != none) [[unlikely]]
-      add_behind(face, slot);
+      append_after(face, slot);
   }
 
   bool has(Index vertex) const {
@@ -48,12 +48,12 @@ public:
   }
 
   /// Have any been rejected because a face obstructed them?
-  bool has_behind() const { return !last_behind_.empty(); }
+  bool has_obstructed() const { return !last_obstructed_.empty(); }
   /// Visits those pairs.
   template <class Visit>
-  void release_behind(Index face, Visit visit) {
-    if (face < last_behind_.size())
-      release_list(last_behind_[face], ~std::size_t{0}, visit);
+  void release_obstructed(Index face, Visit visit) {
+    if (face < last_obstructed_.size())
+      release_list(last_obstructed_[face], ~std::size_t{0}, visit);
   }
 
   /// Empties the list of a vertex.
@@ -63,7 +63,7 @@ public:
   }
 
   std::size_t size() const { return size_; }
-  std::size_t held() const { return held_; }
+  std::size_t blocked() const { return blocked_; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {
     internal::prefetch(&last_entry_[vertex]);
@@ -76,7 +76,7 @@ private:
     QueuedPair pair;
     std::array<Index, 3> next; // in the lists of the ends and of a face; the first follows the last
     std::int16_t count;        // of the lists that it is in
-    bool is_held;
+    bool is_blocked;
     bool is_rejected; // while it has left none
   };
 
@@ -128,17 +128,17 @@ private:
       slot.is_rejected = false; // the other lists forget it later
       --size_;
       --most;
-      held_ -= slot.is_held;
+      blocked_ -= slot.is_blocked;
       visit(slot.pair);
     }
     return last == none;
   }
 
   // A face may obstruct pairs for long: pairs that have left in another way make room.
-  QUADRILLE_NOINLINE void add_behind(Index face, Index slot) {
-    if (last_behind_.size() <= face)
-      last_behind_.resize(face + std::size_t{1}, none);
-    Index& last = last_behind_[face];
+  QUADRILLE_NOINLINE void append_after(Index face, Index slot) {
+    if (last_obstructed_.size() <= face)
+      last_obstructed_.resize(face + std::size_t{1}, none);
+    Index& last = last_obstructed_[face];
     while (last != none && !slots_[next(last) / lists].is_rejected)
       unlink_first(last);
     ++slots_[slot].count;
@@ -148,32 +148,32 @@ private:
   std::vector<Slot> slots_;
   std::vector<Index> free_;
   Array<Index> last_entry_;        // of the list of each vertex
-  std::vector<Index> last_behind_; // the same for faces, once one obstructed a pair
-  std::size_t size_ = 0, held_ = 0;
+  std::vector<Index> last_obstructed_; // the same for faces, once one obstructed a pair
+  std::size_t size_ = 0, blocked_ = 0;
 };
 
 /// Rejected pairs wait here until a change next to them, or of the face that obstructed them.
 ///
-/// Evaluating a pair takes time in proportion to the faces at its ends, except for those of hubs.
-/// So that no vertex takes more time at each change than one of few faces, a change next to it
-/// brings back only as many of its pairs as `most_pairs` says, and all of them when no others are
-/// left, as long as that pays.
+/// Evaluating a pair takes time in proportion to the faces at its ends, except for those of
+/// high-valence vertices. So that no vertex takes more time at each change than one of few faces, a
+/// change next to it brings back only as many of its pairs as `most_pairs` says, and all of them
+/// when no others are left, as long as that pays.
 class WaitingPairs {
 public:
   static constexpr std::size_t few_faces = 64; // at a vertex
   static constexpr std::size_t all = ~std::size_t{0};
 
   explicit WaitingPairs(const TriangleComplex& complex)
-      : complex_(complex), rejected_(complex.vertex_capacity(), complex.workspace()) {}
+      : complex_(complex), rejected_(complex.vertex_capacity(), complex.arena()) {}
 
-  /// `is_held`: see held(). `face`: the face that obstructed it.
-  void add(const QueuedPair& pair, bool is_held = false, Index face = none) {
-    rejected_.add(pair, is_held, face);
+  /// `is_blocked`: see blocked(). `face`: the face that obstructed it.
+  void add(const QueuedPair& pair, bool is_blocked = false, Index face = none) {
+    rejected_.add(pair, is_blocked, face);
   }
   /// Counts the waiting pairs that were rejected for the sake of constraints.
-  std::size_t held() const { return rejected_.held(); }
+  std::size_t blocked() const { return rejected_.blocked(); }
   /// Some pairs of a vertex of many faces have been added, and others are in the queue.
-  void note_left_behind(Index v) { left_behind_.push_back(v); }
+  void note_left_waiting(Index v) { left_waiting_.push_back(v); }
   bool empty() const { return rejected_.size() == 0; }
 
   /// Returns the number of pairs of a vertex that visit few² faces together; all of them if there
@@ -195,18 +195,18 @@ public:
   }
 
   /// Do pairs wait for faces?
-  bool has_behind() const { return rejected_.has_behind(); }
+  bool has_obstructed() const { return rejected_.has_obstructed(); }
   /// A face has changed, or is gone, so it may no longer obstruct pairs. Calls push(pair) as
   /// release() does.
   template <class Push>
-  void release_behind(Index face, Push push) {
-    rejected_.release_behind(face, push);
+  void release_obstructed(Index face, Push push) {
+    rejected_.release_obstructed(face, push);
   }
 
   /// Calls push(pair) for all of them.
   template <class Push>
   void release_all(Push push) {
-    left_behind_.clear();
+    left_waiting_.clear();
     for (Index v = 0; v < complex_.vertex_capacity(); ++v)
       rejected_.release(v, all, push);
   }
@@ -218,7 +218,7 @@ public:
     if (time < time_to_release_)
       return false;
     std::size_t released = 0;
-    for (Index v : std::exchange(left_behind_, {}))
+    for (Index v : std::exchange(left_waiting_, {}))
       rejected_.release(v, all, [&](const QueuedPair& pair) {
         ++released;
         push(pair);
@@ -233,12 +233,12 @@ private:
   template <class Push>
   QUADRILLE_NOINLINE void release_some(Index v, Push push) { // seldom
     if (!rejected_.release(v, most_pairs(v), push))
-      left_behind_.push_back(v);
+      left_waiting_.push_back(v);
   }
 
   const TriangleComplex& complex_;
   RejectedPairs rejected_;
-  std::vector<Index> left_behind_; // vertices of some of them
+  std::vector<Index> left_waiting_; // vertices of some of them
   std::uint32_t time_to_release_ = 0;
 };
 

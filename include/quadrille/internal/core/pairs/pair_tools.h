@@ -11,8 +11,7 @@ namespace quadrille::internal {
 
 /// The tools of a search for pairs, in addition to the surface, and its results.
 struct PairTools {
-  explicit PairTools(std::size_t vertices, Workspace* workspace = nullptr)
-      : labels(vertices, workspace) {}
+  explicit PairTools(std::size_t vertices, Arena* arena = nullptr) : labels(vertices, arena) {}
 
   VertexLabels labels;
   AppendBuffer<VertexPair> pairs;

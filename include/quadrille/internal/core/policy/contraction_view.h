@@ -53,11 +53,11 @@ public:
                   const Vector<N>& first, const Vector<N>& second, const Vector<N>& target)
       : first_faces_(star.first.begin(), star.first.end()),
         second_faces_(star.second.begin(), star.second.end()), shared_(star.shared.size()),
-        hub_(star.hub), complex_(complex), positions_(positions), first_(first), second_(second),
-        target_(target) {}
+        high_valence_(star.high_valence), complex_(complex), positions_(positions), first_(first),
+        second_(second), target_(target) {}
 
-  /// Returns the faces that stay. At a hub, which stays in its place, these are the faces next to
-  /// the other end only.
+  /// Returns the faces that stay. At a high-valence vertex, which stays in its place, these are the
+  /// faces next to the other end only.
   ChangedFaces<ContractionView> faces() const { return ChangedFaces(*this); }
   std::size_t face_count() const { return first_faces_.size() + second_faces_.size(); }
   ChangedFace face(std::size_t i) const {
@@ -69,8 +69,8 @@ public:
 
   /// How many faces the end with more of them has before.
   std::size_t highest_degree() const {
-    if (hub_ != none)
-      return complex_.degree_bound(hub_);
+    if (high_valence_ != none)
+      return complex_.degree_bound(high_valence_);
     return (std::max)(first_faces_.size(), second_faces_.size()) + shared_;
   }
 
@@ -80,14 +80,14 @@ public:
   ///
   /// Only faces that would look away from the mean of all by more than 60 degrees are looked at,
   /// and none around vertices of very many faces.
-  bool makes_fold() const {
+  bool makes_fold_over() const {
     if (faces().size() > many_faces)
       return false;
     Vector<3> sum{};
     for (const ChangedFace& f : faces())
       sum += normal_after(f);
     for (std::size_t i = 0; i < faces().size(); ++i)
-      if (!is_within(0.25, normal_after(face(i)), sum) && is_new_fold(i))
+      if (!is_within(0.25, normal_after(face(i)), sum) && is_new_fold_over(i))
         return true;
     return false;
   }
@@ -123,10 +123,10 @@ private:
       if (is_within(0x1p-14, normal, -1.0 * neighbour))
         (dot(normal, to_apex) < 0 ? over_ridge : over_valley) = true;
     }
-    bool is_fold() const { return over_ridge && over_valley; }
+    bool is_fold_over() const { return over_ridge && over_valley; }
   };
 
-  bool is_new_fold(std::size_t i) const {
+  bool is_new_fold_over(std::size_t i) const {
     const ChangedFace f = face(i);
     const StarFace& ids = star_face(i);
     Bends before, after;
@@ -135,9 +135,10 @@ private:
       if (neighbour.second != ids.third && neighbour.third != ids.second)
         continue;
       const ChangedFace g = face(j);
-      const Vector<3> way = neighbour.second == ids.third ? g.third - f.third : g.second - f.second;
-      before.see(normal_before(f), normal_before(g), way);
-      after.see(normal_after(f), normal_after(g), way);
+      const Vector<3> edge =
+          neighbour.second == ids.third ? g.third - f.third : g.second - f.second;
+      before.see(normal_before(f), normal_before(g), edge);
+      after.see(normal_after(f), normal_after(g), edge);
     }
     if (complex_.degree_bound(ids.second) <= many_faces)
       complex_.for_each_corner(ids.second, [&](Index face, Index corner) {
@@ -149,7 +150,7 @@ private:
         before.see(normal_before(f), normal, apex - f.second);
         after.see(normal_after(f), normal, apex - f.second);
       });
-    return after.is_fold() && !before.is_fold();
+    return after.is_fold_over() && !before.is_fold_over();
   }
 
   static Vector<3> normal_before(const ChangedFace& f) {
@@ -161,7 +162,7 @@ private:
 
   std::span<const StarFace> first_faces_, second_faces_;
   std::size_t shared_;
-  Index hub_; // of which not all faces are here, or none
+  Index high_valence_; // of which not all faces are here, or none
   const Complex& complex_;
   const Vector<N>* positions_;
   const Vector<N>&first_, &second_, &target_;

@@ -161,7 +161,7 @@ bool run_passes(WorkingSurface<Policies>& surface, const PassSettings& settings)
 
 /// The functions that only some calls need: a call that cannot need one does not compile it.
 template <class Policies>
-struct OptionalParts {
+struct OptionalModules {
   /// Contracts pairs in passes; false if the visitor cancels.
   bool (*run_passes)(WorkingSurface<Policies>&, const PassSettings&) = nullptr;
   /// Makes the object that writes to the recorder.
@@ -191,7 +191,7 @@ struct Policies {
 
   Cost cost;
   Placement placement;
-  double label_border_weight; // see Labels
+  double region_boundary_weight; // see Labels
   PairSource pairs;
   StopRule stop;
   CallOrder order;
@@ -201,7 +201,7 @@ struct Policies {
   std::optional<Topology> topology;           // nothing: as the mesh and the pairs suggest
   FilterList<Cost::dimension> filters;
   GuardSet<Cost::dimension> guards;
-  OptionalParts<Policies> optional;
+  OptionalModules<Policies> optional;
 };
 
 } // namespace quadrille::internal

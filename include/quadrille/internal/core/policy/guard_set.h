@@ -42,18 +42,18 @@ concept IsGuard = IsOwnGuard<T> || requires(const T guard, const GuardedSurface&
 };
 
 template <class T>
-inline constexpr bool is_guard = IsGuard<Held<T>>;
+inline constexpr bool is_guard = IsGuard<Contained<T>>;
 
 /// May several threads query it and report contractions to it? If not, it needs GreedyOrder.
 template <class Guard>
 inline constexpr bool works_in_passes = requires {
-  requires Held<Guard>::works_in_passes;
+  requires Contained<Guard>::works_in_passes;
 };
 
 /// Does a guard that holds in each chunk of a file, in each phase, hold for the whole file?
 template <class Guard>
-inline constexpr bool works_in_parts = requires {
-  requires Held<Guard>::works_in_parts;
+inline constexpr bool works_in_chunks = requires {
+  requires Contained<Guard>::works_in_chunks;
 };
 
 /// Makes what guards a surface, of a guard of any type.
@@ -117,14 +117,13 @@ public:
   }
   /// Returns the topology of a call with these guards. Throws if the call asks for another than
   /// they keep.
-  std::optional<Topology> topology_beside(std::optional<Topology> topology) const {
+  std::optional<Topology> topology_with(std::optional<Topology> topology) const {
     if (!topology_)
       return topology;
     if (topology.value_or(*topology_) != *topology_)
-      throw std::invalid_argument(
-          keeps_topology_ +
-          std::string(
-              " keeps the topology: pass no Topology::free or Topology::parts_may_vanish with it"));
+      throw std::invalid_argument(keeps_topology_ +
+                                  std::string(" keeps the topology: pass no Topology::free or "
+                                              "Topology::components_may_vanish with it"));
     return topology_;
   }
 

@@ -49,13 +49,13 @@ public:
   using Scale = internal::Scale<Cost::dimension>;
 
   Position first, second;
-  double squared_reach;
+  double squared_ring_radius;
 
   PairInMeshUnits(const PairOf<Cost>& pair, const Scale& scale)
       : StateInMeshUnits<Cost>(pair), first(scale.position_of_mesh(pair.first)),
         second(scale.position_of_mesh(pair.second)),
-        squared_reach(scale.length_of_mesh(scale.length_of_mesh(pair.squared_reach))), pair_(pair) {
-  }
+        squared_ring_radius(scale.length_of_mesh(scale.length_of_mesh(pair.squared_ring_radius))),
+        pair_(pair) {}
 
   const PairOf<Cost>& in_engine_units() const { return pair_; }
 
@@ -126,7 +126,7 @@ public:
   std::size_t second() const { return contraction_.second(); }
   Vector<N> target() const { return scale_.position_of_mesh(contraction_.target()); }
   std::size_t highest_degree() const { return contraction_.highest_degree(); }
-  bool makes_fold() const { return contraction_.makes_fold(); }
+  bool makes_fold_over() const { return contraction_.makes_fold_over(); }
 
 private:
   Vector<3> point(Vector<3> p) const {

@@ -64,7 +64,7 @@ inline constexpr float tolerated_rise<Cost> = static_cast<float>(Cost::tolerated
 
 /// Does a cost measure how uneven the faces around a vertex are?
 template <class Cost>
-concept tells_unevenness = requires(const Cost& cost, const typename Cost::Current& current) {
+concept measures_unevenness = requires(const Cost& cost, const typename Cost::Current& current) {
   { cost.unevenness(current) } -> std::convertible_to<double>;
 };
 
@@ -72,7 +72,7 @@ concept tells_unevenness = requires(const Cost& cost, const typename Cost::Curre
 template <class Cost>
 inline constexpr float tolerated_fall = 0;
 template <class Cost>
-requires tells_unevenness<Cost>
+requires measures_unevenness<Cost>
 inline constexpr float tolerated_fall<Cost> = static_cast<float>(Cost::tolerated_fall);
 
 /// Does a placement look at the star of a pair before it decides?
@@ -97,25 +97,25 @@ inline constexpr bool asks_for_volume = requires {
 
 /// By which placement pairs are ordered until their star is looked at.
 template <class Placement>
-struct GuessOf {
+struct EstimateOf {
   using type = Placement;
 };
 template <class Placement>
 requires requires {
-  typename Placement::Guess;
+  typename Placement::Estimate;
 }
-struct GuessOf<Placement> {
-  using type = typename Placement::Guess;
+struct EstimateOf<Placement> {
+  using type = typename Placement::Estimate;
 };
 
 /// By which factor such a pair is more costly then, at least, as a rule.
 template <class Placement>
-inline constexpr double rise_of_guess = 1;
+inline constexpr double rise_of_estimate = 1;
 template <class Placement>
 requires requires {
-  Placement::rise_of_guess;
+  Placement::rise_of_estimate;
 }
-inline constexpr double rise_of_guess<Placement> = Placement::rise_of_guess;
+inline constexpr double rise_of_estimate<Placement> = Placement::rise_of_estimate;
 
 /// Does a policy say that it does as well in any unit of length? A class says so for itself only:
 /// one that is derived from it may not.
@@ -141,8 +141,8 @@ template <class Cost>
 struct PairOf : IndicesFor<Cost> {
   Vector<Cost::dimension> first, second;
   typename Cost::State state; ///< of both ends, about `first`
-  double squared_reach = 0;   ///< of the distance from an end to its farthest neighbour, as each
-                              ///< end had it when it took its place
+  double squared_ring_radius = 0; ///< of the distance from an end to its farthest neighbour, as
+                                  ///< each end had it when it took its place
   QUADRILLE_NO_UNIQUE_ADDRESS
   typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
 };
@@ -214,8 +214,8 @@ bool is_passed(const Stop& stop, const Status& status) {
 /// With what the needs imply: a tolerance is one of distances both ways, these are looked for after
 /// the one way.
 constexpr Needs with_implied(Needs needs) {
-  needs.distance_back = needs.distance_back || needs.tolerance;
-  needs.distance = needs.distance || needs.distance_back;
+  needs.reverse_distance = needs.reverse_distance || needs.tolerance;
+  needs.distance = needs.distance || needs.reverse_distance;
   return needs;
 }
 
@@ -223,7 +223,7 @@ constexpr Needs with_implied(Needs needs) {
 template <class Stop>
 constexpr Needs needs_of() {
   if constexpr (IsOptional<Stop>)
-    return needs_of<Held<Stop>>();
+    return needs_of<Contained<Stop>>();
   else if constexpr (requires { Stop::needs; })
     return with_implied(Stop::needs);
   else
@@ -248,13 +248,13 @@ Needs needs_now(const Stop& stop) {
 
 /// By which power of lengths the values of a cost grow, if that is known.
 template <class Cost>
-concept TellsDegree = requires(const Cost& cost) {
+concept CountsDegree = requires(const Cost& cost) {
   { cost.degree() } -> std::convertible_to<double>;
 };
 
 /// Can the values of a cost be reported in the mesh's units?
 template <class Cost>
-inline constexpr bool has_cost_in_mesh_units = !is_scale_free<Cost> || TellsDegree<Cost>;
+inline constexpr bool has_cost_in_mesh_units = !is_scale_free<Cost> || CountsDegree<Cost>;
 
 /// Is every edge a pair at any time, for this pair policy?
 template <class Pairs>

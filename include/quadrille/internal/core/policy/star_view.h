@@ -33,10 +33,10 @@ public:
     visit_all(star_.shared, first_, visit);
   }
   /// Does holds(p, q, r) return true for each? Stops at the first that does not.
-  template <class Holds>
-  bool all_faces(Holds holds) const {
-    return all(star_.first, first_, holds) && all(star_.second, second_, holds) &&
-           all(star_.shared, first_, holds);
+  template <class Predicate>
+  bool all_faces(Predicate predicate) const {
+    return all(star_.first, first_, predicate) && all(star_.second, second_, predicate) &&
+           all(star_.shared, first_, predicate);
   }
 
   /// Returns a position as it will be once it has been written to the user's mesh.
@@ -52,10 +52,10 @@ private:
     for (const StarFace& f : faces)
       visit(at(corner), at(f.second), at(f.third));
   }
-  template <class Holds>
-  bool all(const AppendBuffer<StarFace>& faces, Index corner, Holds& holds) const {
+  template <class Predicate>
+  bool all(const AppendBuffer<StarFace>& faces, Index corner, Predicate& predicate) const {
     for (const StarFace& f : faces)
-      if (!holds(at(corner), at(f.second), at(f.third)))
+      if (!predicate(at(corner), at(f.second), at(f.third)))
         return false;
     return true;
   }

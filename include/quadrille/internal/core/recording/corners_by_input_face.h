@@ -11,20 +11,21 @@
 
 namespace quadrille::internal {
 
-/// Returns the value of at(face, corner, is_back) for each corner of each input face; a reverse
+/// Returns the value of at(face, corner, is_reverse) for each corner of each input face; a reverse
 /// face is described by its front and the corner of that. `none` for faces that do not exist.
 template <class At>
 std::vector<std::array<Index, 3>> corners_by_input_face(const TriangleComplex& complex,
                                                         const InputIndices& faces, At at) {
   std::vector<std::array<Index, 3>> corners(faces.input_count(), {none, none, none});
-  const Backs& backs = complex.backs();
+  const ReverseFaces& reverse_faces = complex.reverse_faces();
   for (Index face = 0; face < complex.face_capacity(); ++face) {
     if (complex.is_removed(face))
       continue;
     for (std::size_t i = 0; i < 3; ++i) {
       corners[faces[face]][i] = at(face, i, false);
-      if (backs.has(face))
-        corners[backs.input_face(face)][i] = at(face, backs.opposite(face, i), true);
+      if (reverse_faces.has(face))
+        corners[reverse_faces.input_face(face)][i] =
+            at(face, reverse_faces.opposite(face, i), true);
     }
   }
   return corners;

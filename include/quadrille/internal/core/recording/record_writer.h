@@ -8,8 +8,8 @@
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/recording/corners_by_input_face.h>
 #include <quadrille/internal/core/recording/record_buffer.h>
+#include <quadrille/internal/core/state/component_event.h>
 #include <quadrille/internal/core/state/contraction.h>
-#include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/internal/core/surface/geometry.h>
@@ -158,7 +158,7 @@ public:
                             {},
                             {},
                             state_.policies.stop.needs().distance,
-                            state_.policies.stop.needs().distance_back};
+                            state_.policies.stop.needs().reverse_distance};
     std::vector<double> memory;
     for (Index v = 0; v < state_.complex.vertex_capacity(); ++v) {
       const Vector<dimension> position = state_.scale.position_of_mesh(state_.geometry.position(v));
@@ -205,13 +205,13 @@ public:
       state_.policies.recorder->record(recorded);
   }
 
-  void vanished(const PartEvent& event) override {
+  void vanished(const ComponentEvent& event) override {
     std::vector<Index> faces;
     for (Index face : event.faces)
       add_inputs(face, faces);
     RecordedContraction removal;
     removal.error = event.radius;
-    if (state_.policies.stop.needs().distance_back) // its points have no place left
+    if (state_.policies.stop.needs().reverse_distance) // its points have no place left
       removal.distance_bound = std::numeric_limits<double>::infinity();
     removal.removed_faces = faces;
     state_.policies.recorder->record(removal);
@@ -256,7 +256,7 @@ private:
 
   RecordList empty_list() const {
     return {width_, state_.policies.stop.needs().distance,
-            state_.policies.stop.needs().distance_back};
+            state_.policies.stop.needs().reverse_distance};
   }
 
   // The numbers of a vertex at a position; in a memory, if there are more than the position's.
@@ -272,8 +272,8 @@ private:
   // The input index of a face, and that of its back.
   void add_inputs(Index face, auto& faces) const {
     faces.push_back(state_.numbering.faces[face]);
-    if (state_.complex.backs().has(face))
-      faces.push_back(state_.complex.backs().input_face(face));
+    if (state_.complex.reverse_faces().has(face))
+      faces.push_back(state_.complex.reverse_faces().input_face(face));
   }
 
   double distance_bound(const Contraction& contraction) const {
@@ -289,7 +289,7 @@ private:
   std::size_t width_ = dimension;        // how many numbers a vertex has
 };
 
-/// For OptionalParts.
+/// For OptionalModules.
 template <class Policies>
 std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs) {
   return std::make_unique<RecordWriter<Policies>>(needs);

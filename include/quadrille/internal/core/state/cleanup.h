@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CORE_STATE_CLEANUP_H
 #define QUADRILLE_INTERNAL_CORE_STATE_CLEANUP_H
 
-#include <quadrille/internal/core/complex/backs.h>
+#include <quadrille/internal/core/complex/reverse_faces.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/state/scratch.h>
@@ -49,9 +49,9 @@ struct Loss {
 
 /// The most that contracting the star may take where topology is free: duplicate faces go too, and
 /// what is isolated then.
-inline Loss most_loss(const PairStar& star, const Backs& backs) {
+inline Loss most_loss(const PairStar& star, const ReverseFaces& reverse_faces) {
   const std::size_t duplicates = (std::min)(star.first.size(), star.second.size());
-  return {backs.count_all(star.shared) + (backs.is_empty() ? 1 : 2) * duplicates,
+  return {reverse_faces.count_all(star.shared) + (reverse_faces.is_empty() ? 1 : 2) * duplicates,
           star.shared.size() + 2};
 }
 
@@ -68,7 +68,7 @@ public:
     scratch_.duplicates.clear();
     for (const StarFace& f : scratch_.star.shared)
       complex_.remove_face(f.face);
-    scratch_.counters.faces += complex_.backs().count_all(scratch_.star.shared);
+    scratch_.counters.faces += complex_.reverse_faces().count_all(scratch_.star.shared);
     scratch_.counters.non_edge_contractions += scratch_.star.shared.empty();
   }
 
@@ -90,9 +90,10 @@ public:
   /// How many faces and vertices the contraction of the star will take.
   Loss loss(Index b) {
     const PairStar& star = scratch_.star;
-    Loss loss{complex_.backs().count_all(star.shared), 1};
+    Loss loss{complex_.reverse_faces().count_all(star.shared), 1};
     gather_changed();
-    for_each_duplicate([&](Index face, Index) { loss.faces += complex_.backs().count(face); });
+    for_each_duplicate(
+        [&](Index face, Index) { loss.faces += complex_.reverse_faces().count(face); });
     for_each_cut_off(star, b, [&](Index v) { loss.vertices += !has_others(v); });
     loss.vertices += star.first.empty() && star.second.empty();
     return loss;
@@ -109,7 +110,7 @@ private:
     for_each_duplicate([this](Index face, Index left) {
       complex_.remove_face(face);
       scratch_.duplicates.push_back(face);
-      scratch_.counters.faces += complex_.backs().count(face);
+      scratch_.counters.faces += complex_.reverse_faces().count(face);
       scratch_.counters.doubled_labels += !labels_.empty() && labels_[face] != labels_[left];
     });
   }
@@ -133,7 +134,7 @@ private:
   }
 
   void prune(Index v) {
-    if (complex_.hubs().has(v))
+    if (complex_.high_valence_vertices().has(v))
       complex_.prune_first_corners(v);
     else
       complex_.prune_corners(v);

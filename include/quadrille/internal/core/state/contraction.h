@@ -20,8 +20,9 @@ class GatheredStar {
 public:
   GatheredStar(TriangleComplex& complex, Index first, Index second, Scratch& scratch)
       : scratch_(scratch) {
-    if (const Index hub = complex.hubs().of_pair(first, second); hub != none)
-      scratch.star.gather_beside_hub(complex, first, second, hub);
+    if (const Index high_valence = complex.high_valence_vertices().of_pair(first, second);
+        high_valence != none)
+      scratch.star.gather_at_high_valence(complex, first, second, high_valence);
     else
       scratch.star.gather(complex, first, second);
   }
@@ -83,16 +84,16 @@ struct InPass {
 template <class MayWriteTo>
 InPass(MayWriteTo) -> InPass<MayWriteTo>;
 
-/// Which end of a pair is kept, and which is gone: a hub is kept, or one that keeps its place, else
-/// the first.
+/// Which end of a pair is kept, and which is gone: a high-valence vertex is kept, or one that keeps
+/// its place, else the first.
 template <class Cost>
 std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
                                       const Geometry<Cost::dimension>& geometry) {
   const Index a = contraction.first(), b = contraction.second();
   const auto& pair = contraction.pair();
   const auto& target = contraction.target();
-  if (const Index hub = contraction.star().hub; hub != none)
-    return {hub, hub == a ? b : a};
+  if (const Index high_valence = contraction.star().high_valence; high_valence != none)
+    return {high_valence, high_valence == a ? b : a};
   const bool b_stays = !geometry.is_fixed(a) &&
                        (geometry.is_fixed(b) || (target == pair.second && target != pair.first));
   return b_stays ? std::pair(b, a) : std::pair(a, b);
@@ -100,7 +101,7 @@ std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
 
 /// The feature loss of a contraction: see feature_loss_of.
 struct FeatureLoss {
-  double way;   ///< in the engine's unit; 0 where the surface is not thin
+  double displacement; ///< in the engine's unit; 0 where the surface is not thin
   double error; ///< of the contraction, with that, in the mesh's unit: see Report::error
 };
 
@@ -122,40 +123,40 @@ struct ContractionEvent {
 };
 
 template <class Observer, class Event>
-concept HearsBefore = requires(Observer& observer, const Event& event) {
+concept ReceivesBefore = requires(Observer& observer, const Event& event) {
   observer.before(event);
 };
 template <class Observer, class Event>
-concept HearsAfter = requires(Observer& observer, const Event& event) {
+concept ReceivesAfter = requires(Observer& observer, const Event& event) {
   observer.after(event);
 };
 
 template <class Observer, class Event>
-QUADRILLE_ALWAYS_INLINE inline void tell_before(Observer& observer, const Event& event) {
+QUADRILLE_ALWAYS_INLINE inline void notify_before(Observer& observer, const Event& event) {
   static_assert(
-      HearsBefore<Observer, Event> || HearsAfter<Observer, Event>,
+      ReceivesBefore<Observer, Event> || ReceivesAfter<Observer, Event>,
       "quadrille: an observer of contractions needs a member before(event) or after(event)");
-  if constexpr (HearsBefore<Observer, Event>)
+  if constexpr (ReceivesBefore<Observer, Event>)
     observer.before(event);
 }
 template <class Observer, class Event>
-QUADRILLE_ALWAYS_INLINE inline void tell_after(Observer& observer, const Event& event) {
-  if constexpr (HearsAfter<Observer, Event>)
+QUADRILLE_ALWAYS_INLINE inline void notify_after(Observer& observer, const Event& event) {
+  if constexpr (ReceivesAfter<Observer, Event>)
     observer.after(event);
 }
 
 template <class Event, class... Observer>
-QUADRILLE_ALWAYS_INLINE inline void tell_all_before(const std::tuple<Observer&...>& observers,
-                                                    const Event& event) {
+QUADRILLE_ALWAYS_INLINE inline void notify_all_before(const std::tuple<Observer&...>& observers,
+                                                      const Event& event) {
   std::apply([&](auto&... observer)
-                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_before(observer, event), ...); },
+                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (notify_before(observer, event), ...); },
              observers);
 }
 template <class Event, class... Observer>
-QUADRILLE_ALWAYS_INLINE inline void tell_all_after(const std::tuple<Observer&...>& observers,
-                                                   const Event& event) {
+QUADRILLE_ALWAYS_INLINE inline void notify_all_after(const std::tuple<Observer&...>& observers,
+                                                     const Event& event) {
   std::apply([&](auto&... observer)
-                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_after(observer, event), ...); },
+                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (notify_after(observer, event), ...); },
              observers);
 }
 

@@ -110,9 +110,10 @@ double distance_of(const std::vector<Trace>& gone, const TriangleComplex& comple
     return 0;
   const DistanceToRest<N> to_rest(complex, geometry);
   double greatest = 0;
-  for (const Trace& part : gone)
-    if (part.radius > 0)
-      greatest = (std::max)(greatest, std::hypot(to_rest(part.centre, part.radius), part.radius));
+  for (const Trace& component : gone)
+    if (component.radius > 0)
+      greatest = (std::max)(
+          greatest, std::hypot(to_rest(component.centre, component.radius), component.radius));
   return greatest;
 }
 

@@ -5,7 +5,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/ranges.h>
 #include <quadrille/internal/core/base/threads.h>
-#include <quadrille/internal/core/complex/backs.h>
+#include <quadrille/internal/core/complex/reverse_faces.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/input/surface_input.h>
@@ -26,21 +26,22 @@ namespace quadrille::internal {
 /// Joins the labels of faces and of their reverses into labels of both sides. There is a label
 /// boundary where they change, or where double-sided faces begin. `labels`: of each input face; or
 /// empty.
-inline void join_labels_of_backs(const TriangleComplex& complex, const InputIndices& faces,
-                                 Array<Index>& labels) {
-  const Backs& backs = complex.backs();
-  bool is_partial = false; // have some faces a back, and some none?
-  for_each_face(complex, [&](Index face) { is_partial |= !backs.has(face); });
+inline void join_labels_of_reverse_faces(const TriangleComplex& complex, const InputIndices& faces,
+                                         Array<Index>& labels) {
+  const ReverseFaces& reverse_faces = complex.reverse_faces();
+  bool is_partial = false; // have some faces a reverse face, and some none?
+  for_each_face(complex, [&](Index face) { is_partial |= !reverse_faces.has(face); });
   if (labels.empty() && !is_partial)
     return;
   std::map<std::pair<Index, Index>, Index> numbers;
   const auto label = [&](Index face) { return labels.empty() ? Index{0} : labels[face]; };
-  Array<Index> joined(faces.input_count(), Index{0}, complex.workspace());
+  Array<Index> joined(faces.input_count(), Index{0}, complex.arena());
   for_each_face(complex, [&](Index face) {
-    const Index front = faces[face];
-    const Index back = backs.has(face) ? label(backs.input_face(face)) : none;
-    joined[front] =
-        numbers.try_emplace({label(front), back}, static_cast<Index>(numbers.size())).first->second;
+    const Index forward = faces[face];
+    const Index reverse = reverse_faces.has(face) ? label(reverse_faces.input_face(face)) : none;
+    joined[forward] =
+        numbers.try_emplace({label(forward), reverse}, static_cast<Index>(numbers.size()))
+            .first->second;
   });
   labels = std::move(joined);
 }
@@ -54,7 +55,7 @@ public:
   DoubledFaces(TriangleComplex& complex, const Array<Index>& labels, Counters& counters,
                Threads threads)
       : complex_(complex), labels_(labels), counters_(counters), threads_(threads),
-        partner_(complex.workspace()) {}
+        partner_(complex.arena()) {}
 
   /// Removes all but one, whatever their orientation, and counts those that are removed.
   void remove() {
@@ -64,18 +65,18 @@ public:
   /// Removes all but one of each way round, and pairs those. `inputs`: of the faces.
   void pair_up(const InputIndices& inputs) {
     for_each_group([this](std::vector<Side>& group) {
-      const auto turned =
-          std::stable_partition(group.begin(), group.end(),
-                                [way = group[0].turned](const Side& s) { return s.turned == way; });
-      const std::vector<Side> backs(turned, group.end());
+      const auto turned = std::stable_partition(
+          group.begin(), group.end(),
+          [is_turned = group[0].turned](const Side& s) { return s.turned == is_turned; });
+      const std::vector<Side> reverse_faces(turned, group.end());
       group.erase(turned, group.end());
       remove_but_first(group);
-      remove_but_first(backs);
-      if (!backs.empty())
-        pair(group[0].face, backs[0].face);
+      remove_but_first(reverse_faces);
+      if (!reverse_faces.empty())
+        pair(group[0].face, reverse_faces[0].face);
     });
     if (!partner_.empty())
-      choose_fronts(inputs);
+      choose_forward_faces(inputs);
   }
 
 private:
@@ -164,8 +165,8 @@ private:
 
   // Fronts are oriented like their neighbours, as far as possible: first like those without a
   // reverse, which have no choice, then like the first double-sided face.
-  void choose_fronts(const InputIndices& inputs) {
-    Array<Index> back(complex_.face_capacity(), none, complex_.workspace());
+  void choose_forward_faces(const InputIndices& inputs) {
+    Array<Index> reverse(complex_.face_capacity(), none, complex_.arena());
     is_chosen_.assign(complex_.face_capacity(), false);
     for (const bool has_partner : {false, true})
       for (Index face = 0; face < complex_.face_capacity(); ++face)
@@ -173,19 +174,19 @@ private:
           spread_from(face);
     for (Index face = 0; face < complex_.face_capacity(); ++face)
       if (is_chosen_[face] && partner_[face] != none) {
-        back[face] = 4 * inputs[partner_[face]] + place_of_first(face, partner_[face]);
+        reverse[face] = 4 * inputs[partner_[face]] + place_of_first(face, partner_[face]);
         complex_.remove_face(partner_[face]);
       }
     for (Index v = 0; v < complex_.vertex_capacity(); ++v)
       complex_.prune_corners(v);
-    complex_.set_backs(Backs(std::move(back)));
+    complex_.set_reverse_faces(ReverseFaces(std::move(reverse)));
   }
 
   bool is_decided(Index face) const {
     return is_chosen_[face] || (partner_[face] != none && is_chosen_[partner_[face]]);
   }
 
-  // Over edges at which just two sheets meet.
+  // Over edges at which just two double-sided faces meet.
   void spread_from(Index face) {
     if (is_decided(face))
       return;
@@ -204,13 +205,13 @@ private:
     }
   }
 
-  // The side of the other sheet at an edge that runs against vw, if it has two sides and is the
-  // only one.
+  // The side of the other double-sided face at an edge that runs against vw, if it has two sides
+  // and is the only one.
   Index face_beyond(Index v, Index w) const {
     const bool is_v_smaller = complex_.degree_bound(v) < complex_.degree_bound(w);
     const Index end = is_v_smaller ? v : w, other = is_v_smaller ? w : v;
     Index beyond = none;
-    std::size_t halves = 0; // a face without a back counts as two
+    std::size_t halves = 0; // a face without a reverse face counts as two
     complex_.for_each_corner(end, [&](Index face, Index i) {
       const StarFace f = star_face_at(complex_, face, i);
       if (!f.has(other))
@@ -224,10 +225,10 @@ private:
   }
 
   // Returns the corner of a front that is at the first vertex of its reverse.
-  Index place_of_first(Index front, Index back) const {
-    const auto& corners = complex_.vertices(front);
+  Index place_of_first(Index forward, Index reverse) const {
+    const auto& corners = complex_.vertices(forward);
     return static_cast<Index>(
-        std::find(corners.begin(), corners.end(), complex_.vertices(back)[0]) - corners.begin());
+        std::find(corners.begin(), corners.end(), complex_.vertices(reverse)[0]) - corners.begin());
   }
 
   TriangleComplex& complex_;
@@ -241,15 +242,15 @@ private:
 /// Joins faces on the same vertices before the first contraction: one is left, or one with a
 /// reverse if the input may have them; labels then describe both sides.
 template <std::size_t N>
-void settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
-                          SurfaceInput<N>& input, Counters& counters, Threads threads) {
+void resolve_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
+                           SurfaceInput<N>& input, Counters& counters, Threads threads) {
   const Array<Index> labels = labels_by_face(input.labels, faces, complex);
   DoubledFaces doubled(complex, labels, counters, threads);
-  if (!input.may_have_backs)
+  if (!input.may_have_reverse_faces)
     return doubled.remove();
   doubled.pair_up(faces);
-  if (!complex.backs().is_empty())
-    join_labels_of_backs(complex, faces, input.labels);
+  if (!complex.reverse_faces().is_empty())
+    join_labels_of_reverse_faces(complex, faces, input.labels);
 }
 
 } // namespace quadrille::internal

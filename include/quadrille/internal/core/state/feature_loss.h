@@ -30,14 +30,16 @@ public:
         factor_(length > 0 ? one / length / length / length / length : 0) {}
 
   /// `error` in the mesh's unit, the others in the engine's.
-  std::uint64_t operator()(double error, double squared_reach, double cost) const {
-    const double way = to_engine_ * error;
-    const double part = factor_ * (std::min)(cost, way * way * squared_reach);
-    return part > 0 && part < most ? static_cast<std::uint64_t>(part) : 0; // else it is no distance
+  std::uint64_t operator()(double error, double squared_ring_radius, double cost) const {
+    const double displacement = to_engine_ * error;
+    const double fraction =
+        factor_ * (std::min)(cost, displacement * displacement * squared_ring_radius);
+    return fraction > 0 && fraction < most ? static_cast<std::uint64_t>(fraction)
+                                           : 0; // else it is no distance
   }
 
   /// Returns a sum of displacements as a fraction of the fourth power of the diagonal.
-  static double part(std::uint64_t sum) { return static_cast<double>(sum) / one; }
+  static double fraction(std::uint64_t sum) { return static_cast<double>(sum) / one; }
 
 private:
   static constexpr double one = 0x1p52, most = 4 * one;
@@ -50,8 +52,8 @@ inline constexpr double coarse_error = 1. / 50; // of the diagonal: see is_measu
 /// From a place that an end of a contraction leaves to the nearest face around it; to the target
 /// where there is none.
 template <class Cost>
-double distance_left_behind(const Vector<3>& place, const Contraction<Cost>& contraction,
-                            const Geometry<Cost::dimension>& geometry) {
+double distance_left(const Vector<3>& place, const Contraction<Cost>& contraction,
+                     const Geometry<Cost::dimension>& geometry) {
   const Vector<3> target = space(contraction.target());
   const auto at = [&](Index v) { return space(geometry.position(v)); };
   double squared = squared_distance(place, target);
@@ -63,10 +65,10 @@ double distance_left_behind(const Vector<3>& place, const Contraction<Cost>& con
 }
 
 template <class Cost>
-QUADRILLE_NOINLINE double way_where_thin(const Contraction<Cost>& contraction,
-                                         const Geometry<Cost::dimension>& geometry) {
+QUADRILLE_NOINLINE double displacement_where_thin(const Contraction<Cost>& contraction,
+                                                  const Geometry<Cost::dimension>& geometry) {
   const auto of_end = [&](Index end, const auto& place) {
-    return geometry.feature_loss(end) + distance_left_behind(space(place), contraction, geometry);
+    return geometry.feature_loss(end) + distance_left(space(place), contraction, geometry);
   };
   return (std::max)(of_end(contraction.first(), contraction.pair().first),
                     of_end(contraction.second(), contraction.pair().second));
@@ -121,12 +123,12 @@ template <class Cost>
 QUADRILLE_ALWAYS_INLINE inline FeatureLoss
 feature_loss_of(const Contraction<Cost>& contraction, const Geometry<Cost::dimension>& geometry,
                 const Scale<Cost::dimension>& scale) {
-  double way = 0, error = contraction.error();
+  double displacement = 0, error = contraction.error();
   if (geometry.is_thin(contraction.first()) || geometry.is_thin(contraction.second())) [[unlikely]]
-    way = way_where_thin(contraction, geometry);
+    displacement = displacement_where_thin(contraction, geometry);
   if (is_measured(contraction, scale)) [[unlikely]]
     error = (std::max)(error, scale.length_of_mesh(deviation_of(contraction, geometry)));
-  return {way, (std::max)(error, scale.length_of_mesh(way))};
+  return {displacement, (std::max)(error, scale.length_of_mesh(displacement))};
 }
 
 } // namespace quadrille::internal

@@ -12,16 +12,16 @@
 #include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/input/surface_input.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/internal/core/memory/columns.h>
+#include <quadrille/internal/core/memory/vertex_arrays.h>
 #include <quadrille/internal/core/pairs/pair_selection.h>
 #include <quadrille/internal/core/policy/mesh_units.h>
 #include <quadrille/internal/core/policy/pair_source.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/cleanup.h>
+#include <quadrille/internal/core/state/components.h>
 #include <quadrille/internal/core/state/contraction.h>
 #include <quadrille/internal/core/state/doubled_faces.h>
-#include <quadrille/internal/core/state/input_parts.h>
-#include <quadrille/internal/core/state/parts.h>
+#include <quadrille/internal/core/state/input_components.h>
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/geometry.h>
@@ -52,7 +52,7 @@ public:
   /// Replaces their ends by the vertices into which they were merged.
   void follow(const Numbering& numbering) {
     for (auto& [v, w] : edges_)
-      v = numbering.image(v), w = numbering.image(w);
+      v = numbering.merged_vertex(v), w = numbering.merged_vertex(w);
     std::erase_if(edges_, [](const Edge& edge) { return edge[0] == edge[1]; });
   }
 
@@ -109,7 +109,7 @@ inline std::vector<Scratch> scratches_for(unsigned threads, const TriangleComple
   std::vector<Scratch> scratches;
   scratches.reserve(threads);
   for (unsigned i = 0; i < threads; ++i)
-    scratches.emplace_back(complex.vertex_capacity(), complex.workspace()).number = i;
+    scratches.emplace_back(complex.vertex_capacity(), complex.arena()).number = i;
   return scratches;
 }
 
@@ -117,10 +117,10 @@ inline std::vector<Scratch> scratches_for(unsigned threads, const TriangleComple
 template <std::size_t N>
 class MovedVertices {
 public:
-  explicit MovedVertices(const Geometry<N>& geometry, Workspace* workspace)
-      : geometry_(geometry), is_moved_(geometry.positions().size(), 0, workspace) {}
+  explicit MovedVertices(const Geometry<N>& geometry, Arena* arena)
+      : geometry_(geometry), is_moved_(geometry.positions().size(), 0, arena) {}
 
-  static auto vertex_columns(auto& self) { return std::tie(self.is_moved_); }
+  static auto vertex_arrays(auto& self) { return std::tie(self.is_moved_); }
 
   /// Before the vertex takes its place.
   template <class Event>
@@ -158,15 +158,15 @@ struct SurfaceState {
                   policies.order.passes.has_value()),
         geometry(complex, scale.scaled(std::move(input.positions)), std::move(input.is_fixed),
                  policies.threads),
-        shared(std::move(input.is_shared), std::move(input.borders), numbering),
-        moved(geometry, complex.workspace()), states(complex.workspace()),
+        shared(std::move(input.is_shared), std::move(input.boundaries), numbering),
+        moved(geometry, complex.arena()), states(complex.arena()),
         importance(relative_importances(input.importances)),
         appearance(policies, complex, geometry, states) {
     if (!is_topology_kept || input.has_duplicate_faces)
-      settle_doubled_faces(complex, numbering.faces, input, scratch().counters, policies.threads);
-    if (policies.topology == Topology::parts_may_vanish) {
-      measure_parts();
-      parts.measure_isolation(complex, geometry, scale);
+      resolve_doubled_faces(complex, numbering.faces, input, scratch().counters, policies.threads);
+    if (policies.topology == Topology::components_may_vanish) {
+      measure_components();
+      components.measure_isolation(complex, geometry, scale);
     }
     appearance.read(input, numbering, scale, policies.pairs.includes_edges() && listed.size() == 0);
   }
@@ -187,12 +187,12 @@ struct SurfaceState {
           complex, [this](std::size_t worker) -> VertexLabels& { return scratches[worker].labels; },
           policies.threads);
     else
-      input_parts = InputParts(complex, geometry, scale, numbering.vertices);
+      input_components = InputComponents(complex, geometry, scale, numbering.vertices);
   }
   /// In linear time, the first time.
-  void measure_parts() {
-    if (parts.size() == 0)
-      parts = Parts<dimension>(complex, geometry, scale, scale.diagonal());
+  void measure_components() {
+    if (components.size() == 0)
+      components = Components<dimension>(complex, geometry, scale, scale.diagonal());
   }
   /// Accumulates the current surface in the states of vertices.
   void accumulate() {
@@ -220,21 +220,23 @@ struct SurfaceState {
   }
 
   /// Reports the remaining topology and the components that have vanished.
-  void tell(Report& report) {
-    count_topology(complex, scratch().labels).tell(report);
-    report.components_before =
-        is_topology_kept ? report.components_after + report.vanished_parts : input_parts.size();
-    if (is_topology_kept && report.vanished_parts > 0)
-      report.error = (std::max)(report.error, scale.length_of_mesh(distance_of(
-                                                  parts.gone(complex, scale), complex, geometry)));
-    input_parts.tell(complex, geometry, scale, numbering, report);
+  void write_to(Report& report) {
+    count_topology(complex, scratch().labels).write_to(report);
+    report.components_before = is_topology_kept
+                                   ? report.components_after + report.vanished_components
+                                   : input_components.size();
+    if (is_topology_kept && report.vanished_components > 0)
+      report.error = (std::max)(
+          report.error,
+          scale.length_of_mesh(distance_of(components.gone(complex, scale), complex, geometry)));
+    input_components.write_to(complex, geometry, scale, numbering, report);
   }
 
-  /// The members with columns, to be packed, prefetched and counted: see columns.h.
-  static auto columns(auto& self) {
+  /// The members with vertex arrays, to be packed, prefetched and counted: see vertex_arrays.h.
+  static auto array_owners(auto& self) {
     return std::tie(self.appearance.channels(), self.appearance.seams(), self.numbering, self.moved,
                     self.states, self.geometry, self.shared, self.link_condition, self.importance,
-                    self.parts);
+                    self.components);
   }
 
   const Policies& policies;
@@ -249,8 +251,8 @@ struct SurfaceState {
   Geometry<dimension> geometry;
   SharedVertices shared;
   MovedVertices<dimension> moved;
-  Parts<dimension> parts; // none before they are measured
-  InputParts input_parts; // none where topology is kept
+  Components<dimension> components; // none before they are measured
+  InputComponents input_components; // none where topology is kept
   VertexStates<Cost> states;
   VertexImportance importance;
   Appearance<Policies> appearance;

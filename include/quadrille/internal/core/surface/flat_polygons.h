@@ -28,7 +28,7 @@ inline double flat_area(const FlatTriangle& t) {
 }
 
 /// Is all of a triangle on the far side of an edge of the other? Both run to the left.
-inline bool lies_beside(const FlatTriangle& t, const FlatTriangle& other) {
+inline bool lies_next_to(const FlatTriangle& t, const FlatTriangle& other) {
   const auto is_outside = [](const FlatTriangle& inner, const FlatTriangle& outer) {
     for (std::size_t i = 0; i < 3; ++i) {
       const FlatPoint &p = inner[i], &q = inner[i == 2 ? 0 : i + 1];
@@ -97,7 +97,7 @@ inline double squared_height(const FlatPoint& y, const FlatTriangle& t) {
   const Vector<3> first = t[1].point - t[0].point, second = t[2].point - t[0].point;
   d -= (w[1] / sum) * first;
   d -= (w[2] / sum) * second;
-  // Along a needle the weights are off by as much as it is thin: one step towards y mends that.
+  // Along a sliver the weights are off by as much as it is thin: one step towards y mends that.
   for (std::size_t i : {std::size_t{1}, std::size_t{2}}) {
     const Vector<3>& edge = i == 1 ? first : second;
     const double squared = squared_length(edge);

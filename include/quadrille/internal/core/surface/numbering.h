@@ -48,7 +48,7 @@ public:
     return {input_count_, is_identity() ? of_ : places(of_, input_count_)};
   }
   bool is_identity() const { return of_.empty(); }
-  Workspace* workspace() const { return of_.get_allocator().workspace(); }
+  Arena* arena() const { return of_.get_allocator().arena(); }
 
   /// Leaves out those that are not among `left`, ascending numbers and at least one.
   void pack(Array<Index> left) {
@@ -81,7 +81,7 @@ public:
   /// use_input_indices() is called.
   Numbering(InputIndices input_vertices, InputIndices input_faces, bool by_input)
       : vertices(std::move(input_vertices)), faces(std::move(input_faces)),
-        merged_into_(vertices.input_count(), none, vertices.workspace()), is_by_input_(by_input) {}
+        merged_into_(vertices.input_count(), none, vertices.arena()), is_by_input_(by_input) {}
 
   void merge(Index kept, Index gone) {
     if (is_by_input_)
@@ -106,7 +106,7 @@ public:
 
   /// Returns the input index of the vertex into which a vertex of the input was merged. It needs
   /// input indices. See follow_merges.
-  Index image(Index input) const { return follow_merges(merged_into_, input); }
+  Index merged_vertex(Index input) const { return follow_merges(merged_into_, input); }
 
   InputIndices vertices, faces;
 

@@ -24,13 +24,15 @@ class SharedVertices {
 public:
   using Edge = std::array<Index, 2>;
 
-  /// `is_shared` is of each vertex, or empty if none is; `borders` are by input indices.
-  SharedVertices(std::vector<bool> is_shared, std::vector<Edge> borders, const Numbering& numbering)
-      : is_shared_(std::move(is_shared)), borders_(std::move(borders)), numbering_(numbering) {
-    for (auto& [v, w] : borders_)
+  /// `is_shared` is of each vertex, or empty if none is; `boundaries` are by input indices.
+  SharedVertices(std::vector<bool> is_shared, std::vector<Edge> boundaries,
+                 const Numbering& numbering)
+      : is_shared_(std::move(is_shared)), boundaries_(std::move(boundaries)),
+        numbering_(numbering) {
+    for (auto& [v, w] : boundaries_)
       if (v > w)
         std::swap(v, w);
-    std::sort(borders_.begin(), borders_.end());
+    std::sort(boundaries_.begin(), boundaries_.end());
   }
 
   bool is_any() const { return !is_shared_.empty(); }
@@ -41,7 +43,7 @@ public:
     if (!has(v) || !has(w))
       return false;
     const auto [low, high] = std::minmax({numbering_.vertices[v], numbering_.vertices[w]});
-    return !std::binary_search(borders_.begin(), borders_.end(), Edge{low, high});
+    return !std::binary_search(boundaries_.begin(), boundaries_.end(), Edge{low, high});
   }
 
   /// Would a contraction of ab, of which one end at most is shared, make an edge between shared
@@ -65,11 +67,11 @@ public:
     });
   }
 
-  static auto vertex_columns(auto& self) { return std::tie(self.is_shared_); }
+  static auto vertex_arrays(auto& self) { return std::tie(self.is_shared_); }
 
 private:
   std::vector<bool> is_shared_;
-  std::vector<Edge> borders_; // by input indices, the lower first, sorted
+  std::vector<Edge> boundaries_; // by input indices, the lower first, sorted
   const Numbering& numbering_;
 };
 

@@ -34,16 +34,16 @@ private:
 
   std::vector<bool> thinned(double squared_tolerance) {
     stays_.front() = stays_.back() = true;
-    std::vector<std::array<std::size_t, 2>> parts{{0, line_.size() - 1}};
-    while (!parts.empty()) {
-      const auto [begin, end] = parts.back();
-      parts.pop_back();
+    std::vector<std::array<std::size_t, 2>> sections{{0, line_.size() - 1}};
+    while (!sections.empty()) {
+      const auto [begin, end] = sections.back();
+      sections.pop_back();
       const auto [farthest, squared] = farthest_between(begin, end);
       if (farthest == begin || !(squared > squared_tolerance || line_[begin] == line_[end]))
         continue;
       stays_[farthest] = true;
-      parts.push_back({begin, farthest});
-      parts.push_back({farthest, end});
+      sections.push_back({begin, farthest});
+      sections.push_back({farthest, end});
     }
     if (line_.front() == line_.back())
       keep_third();

@@ -6,8 +6,8 @@
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/packing.h>
 #include <quadrille/internal/core/surface/face_bound.h>
-#include <quadrille/internal/guards/distance/back_deviation.h>
 #include <quadrille/internal/guards/distance/recent_faces.h>
+#include <quadrille/internal/guards/distance/reverse_deviation.h>
 #include <quadrille/internal/guards/distance/star_deviation.h>
 #include <quadrille/internal/guards/distance/tolerances.h>
 #include <quadrille/quadric_form.h>
@@ -34,7 +34,7 @@ public:
   /// `size` is the greatest coordinate of the surface.
   explicit DistanceBounds(std::size_t faces, double size = 0, bool both_ways = false,
                           Tolerances tolerances = {})
-      : of_face_(faces, 0), back_of_face_(both_ways ? faces : 0, 0),
+      : of_face_(faces, 0), reverse_of_face_(both_ways ? faces : 0, 0),
         tolerances_(std::move(tolerances)), size_(size) {}
 
   /// A distance that may be nothing but the sum of many roundings, on a surface of this size.
@@ -53,7 +53,7 @@ public:
     result = {true, tolerances_.least(star), 0, rounding(), greatest_tolerance()};
     for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
-        result.used = (std::max)({result.used, of_face_[f.face], back_of_face_[f.face]});
+        result.used = (std::max)({result.used, of_face_[f.face], reverse_of_face_[f.face]});
     return result;
   }
 
@@ -67,24 +67,24 @@ public:
                         IsTooFar is_too_far) const {
     deviation.take(star, a, b, positions, x,
                    [&](Index face) { return tolerance.length_of(of_face_[face]); });
-    if (back_of_face_.size() > 0)
+    if (reverse_of_face_.size() > 0)
       deviation.keep_polygons();
     const auto bound = [&](double distance) {
       return static_cast<double>(rounded_up(distance + deviation.rounding()));
     };
     const auto is_beyond = [&](double distance) { return is_too_far(bound(distance)); };
-    const bool is_one_sheet = kind == StarKind::oriented;
-    std::optional<FaceDeviation> beyond = deviation.compare_each(is_one_sheet, is_beyond);
+    const bool is_one_fan = kind == StarKind::oriented;
+    std::optional<FaceDeviation> beyond = deviation.compare_each(is_one_fan, is_beyond);
     if (!beyond && kind == StarKind::any)
-      beyond = deviation.compare_border(is_beyond);
+      beyond = deviation.compare_boundary(is_beyond);
     if (!beyond)
-      beyond = deviation.compare_sheets(is_one_sheet, is_beyond);
+      beyond = deviation.compare_fans(is_one_fan, is_beyond);
     if (beyond) { // returned as it was queried, since it might otherwise seem not to be too far
       beyond->from_input = bound(beyond->from_input);
       return *beyond;
     }
     if (kind == StarKind::any)
-      deviation.add_border();
+      deviation.add_boundary();
     FaceDeviation greatest = deviation.greatest();
     greatest.from_input = take_bounds(star, tolerance, deviation, bounds);
     return greatest;
@@ -94,27 +94,28 @@ public:
   /// done that has just been measured. Once is_too_far(distance) says so of some, how far these
   /// are.
   template <class IsTooFar>
-  double measure_back(const PairStar& star, StarKind kind, const StarTolerance& tolerance,
-                      StarDeviation& deviation, BackDeviation& back, IsTooFar is_too_far) const {
-    return back.measure(
+  double measure_reverse(const PairStar& star, StarKind kind, const StarTolerance& tolerance,
+                         StarDeviation& deviation, ReverseDeviation& reverse,
+                         IsTooFar is_too_far) const {
+    return reverse.measure(
         star, deviation, kind == StarKind::oriented, kind != StarKind::any,
-        [&](Index face) { return tolerance.length_of(back_of_face_[face]); }, is_too_far);
+        [&](Index face) { return tolerance.length_of(reverse_of_face_[face]); }, is_too_far);
   }
 
   /// Will one of very many faces at an end be too far? It measures them before the star is
-  /// gathered, first those that were too far the last times: at a hub they are few and mostly the
-  /// same. At a vertex where sheets meet, each sheet may have few faces: there it counts as a hub
-  /// only if it has so many that sorting the sheets takes long.
+  /// gathered, first those that were too far the last times: at a high-valence vertex they are few
+  /// and mostly the same. At a vertex where fans meet, each fan may have few faces: there it counts
+  /// as a high-valence vertex only if it has so many that sorting the fans takes long.
   template <std::size_t N, class MayBeJunction, class IsTooFar>
-  bool is_beyond_hub(const TriangleComplex& complex, Index a, Index b,
-                     const Array<Vector<N>>& positions, const Vector<3>& x,
-                     RecentFaces& recent_faces, MayBeJunction may_be_junction,
-                     IsTooFar is_too_far) const {
+  bool is_beyond_high_valence(const TriangleComplex& complex, Index a, Index b,
+                              const Array<Vector<N>>& positions, const Vector<3>& x,
+                              RecentFaces& recent_faces, MayBeJunction may_be_junction,
+                              IsTooFar is_too_far) const {
     const auto at = [&](Index v) { return space(positions[v]); };
     const auto is_beyond = [&](Index end, Index other) {
       const std::size_t degree = complex.degree_bound(end);
       if (degree <= 2 * StarDeviation::most_faces || at(end) == x ||
-          (degree <= many_sheets && may_be_junction(end)))
+          (degree <= many_fans && may_be_junction(end)))
         return false;
       const auto is_face_beyond = [&](Index face, Index i) {
         const StarFace f = star_face_at(complex, face, i);
@@ -144,20 +145,20 @@ public:
     set(of_face_, star, bounds, [](float bound) { return bound; });
   }
   /// Sets the bounds of their input points, if distances count both ways.
-  void set_back(const PairStar& star, const std::vector<float>& lengths,
-                const StarTolerance& tolerance) {
+  void set_reverse(const PairStar& star, const std::vector<float>& lengths,
+                   const StarTolerance& tolerance) {
     if (!tolerance.is_given) {
-      set(back_of_face_, star, lengths, [](float length) { return length; });
+      set(reverse_of_face_, star, lengths, [](float length) { return length; });
       return;
     }
-    set(back_of_face_, star, lengths, [&](float length) {
+    set(reverse_of_face_, star, lengths, [&](float length) {
       return static_cast<float>(tolerance.bound_of(static_cast<double>(length)));
     });
     tolerances_.set(star, tolerance.least);
   }
 
-  /// The faces begin with what is known of them, by the numbers that they and their backs have in
-  /// the input. Tolerances are those of vertices, if these have any.
+  /// The faces begin with what is known of them, by the numbers that they and their reverse faces
+  /// have in the input. Tolerances are those of vertices, if these have any.
   template <class Inputs>
   void take_given(const std::vector<FaceBound>& given, std::optional<double> greatest_tolerance,
                   const TriangleComplex& complex, const Inputs& inputs) {
@@ -165,19 +166,19 @@ public:
       tolerances_ = Tolerances(of_face_.size(), *greatest_tolerance);
     for_inputs(complex, inputs, [&](Index face, Index input) {
       of_face_[face] = (std::max)(of_face_[face], given[input].from_input);
-      if (back_of_face_.size() > 0)
-        back_of_face_[face] = (std::max)(back_of_face_[face], given[input].to_input);
+      if (reverse_of_face_.size() > 0)
+        reverse_of_face_[face] = (std::max)(reverse_of_face_[face], given[input].to_input);
       if (greatest_tolerance)
         tolerances_.limit(face, given[input].tolerance);
     });
   }
   /// Sets the bounds of the remaining faces, in the same way.
   template <class Inputs>
-  void tell(std::vector<FaceBound>& told, const TriangleComplex& complex,
-            const Inputs& inputs) const {
+  void write_to(std::vector<FaceBound>& reported, const TriangleComplex& complex,
+                const Inputs& inputs) const {
     for_inputs(complex, inputs, [&](Index face, Index input) {
-      told[input] = {of_face_[face], back_of_face_.size() > 0 ? back_of_face_[face] : 0,
-                     has_tolerances() ? static_cast<float>(tolerances_[face]) : 0};
+      reported[input] = {of_face_[face], reverse_of_face_.size() > 0 ? reverse_of_face_[face] : 0,
+                         has_tolerances() ? static_cast<float>(tolerances_[face]) : 0};
     });
   }
 
@@ -185,8 +186,8 @@ public:
   template <class IsLeft>
   void pack_if(IsLeft is_left) {
     internal::pack_if(of_face_, is_left);
-    if (back_of_face_.size() > 0)
-      internal::pack_if(back_of_face_, is_left);
+    if (reverse_of_face_.size() > 0)
+      internal::pack_if(reverse_of_face_, is_left);
     if (tolerances_.are_given())
       tolerances_.pack_if(is_left);
   }
@@ -202,11 +203,11 @@ public:
     return most;
   }
   double used(Index face) const {
-    return static_cast<double>((std::max)(of_face_[face], back_of_face_[face]));
+    return static_cast<double>((std::max)(of_face_[face], reverse_of_face_[face]));
   }
   /// Returns the greatest bound of their input points.
-  double greatest_back(const TriangleComplex& complex) const {
-    return greatest(back_of_face_, complex);
+  double greatest_reverse(const TriangleComplex& complex) const {
+    return greatest(reverse_of_face_, complex);
   }
 
 private:
@@ -216,8 +217,8 @@ private:
       if (complex.is_removed(face))
         continue;
       take(face, inputs[face]);
-      if (complex.backs().has(face))
-        take(face, complex.backs().input_face(face));
+      if (complex.reverse_faces().has(face))
+        take(face, complex.reverse_faces().input_face(face));
     }
   }
 
@@ -257,14 +258,14 @@ private:
     return static_cast<double>(greatest);
   }
 
-  static constexpr std::size_t many_sheets = 4096; // faces of them
+  static constexpr std::size_t many_fans = 4096; // faces of them
 
   static float rounded_up(double bound) {
     return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::infinity());
   }
 
   Array<float> of_face_;
-  Array<float> back_of_face_; // none where distances count one way
+  Array<float> reverse_of_face_; // none where distances count one way
   Tolerances tolerances_;
   double size_;
 };

@@ -14,9 +14,9 @@
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/internal/guards/distance/back_deviation.h>
 #include <quadrille/internal/guards/distance/distance_bounds.h>
 #include <quadrille/internal/guards/distance/recent_faces.h>
+#include <quadrille/internal/guards/distance/reverse_deviation.h>
 #include <quadrille/internal/guards/distance/star_deviation.h>
 #include <quadrille/internal/guards/distance/tolerances.h>
 #include <quadrille/quadric_form.h>
@@ -36,7 +36,7 @@ namespace quadrille::internal {
 /// The scratch space of a check of distances, for each thread.
 struct DistanceScratch {
   StarDeviation deviation;
-  BackDeviation back;
+  ReverseDeviation reverse;
   RecentFaces faces_too_far;
   StarTolerance tolerance;   // of the star
   std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
@@ -55,7 +55,7 @@ public:
   explicit DistanceCheck(const DistanceNeeds<Policies>& needs)
       : state_(needs.state), evaluator_(needs.evaluator), checks_(needs.checks),
         bounds_(state_.complex.face_capacity(), greatest_coordinate(needs.box),
-                state_.policies.stop.needs().distance_back, tolerances_of(needs.tolerances)),
+                state_.policies.stop.needs().reverse_distance, tolerances_of(needs.tolerances)),
         scratches_(state_.policies.threads) {
     if (state_.policies.optional.bounds)
       bounds_.take_given(*state_.policies.optional.bounds, given_tolerance(), state_.complex,
@@ -71,14 +71,14 @@ public:
       return measure_too_far(contraction, status);
   }
 
-  bool is_beyond_hub(const Candidate& candidate, const Scratch& scratch,
-                     const Status& status) override {
-    return bounds_.is_beyond_hub(
+  bool is_beyond_high_valence(const Candidate& candidate, const Scratch& scratch,
+                              const Status& status) override {
+    return bounds_.is_beyond_high_valence(
         state_.complex, candidate.first, candidate.second, state_.geometry.positions(),
         space(candidate.target), scratches_[scratch.number].faces_too_far,
         [this](Index v) { return state_.link_condition.may_be_junction(v); },
         [this, after = status](double distance, const StarTolerance& tolerance) mutable {
-          tell_distance(after, distance, tolerance);
+          announce_distance(after, distance, tolerance);
           return state_.policies.stop(after);
         });
   }
@@ -92,37 +92,38 @@ public:
     };
     const DistanceScratch& scratch = scratches_[contraction.scratch().number];
     double bound = greatest(scratch.bounds);
-    if (state_.policies.stop.needs().distance_back)
-      bound = scratch.back.is_any_lost()
-                  ? std::numeric_limits<double>::infinity()
-                  : (std::max)(bound, scratch.tolerance.bound_of(greatest(scratch.back.bounds())));
+    if (state_.policies.stop.needs().reverse_distance)
+      bound =
+          scratch.reverse.is_any_lost()
+              ? std::numeric_limits<double>::infinity()
+              : (std::max)(bound, scratch.tolerance.bound_of(greatest(scratch.reverse.bounds())));
     return state_.scale.length_of_mesh(scratch.tolerance.distance_of(bound));
   }
 
   void follow(const Contraction& contraction) override {
     const DistanceScratch& scratch = scratch_of(contraction);
     bounds_.set(contraction.star(), scratch.bounds);
-    if (state_.policies.stop.needs().distance_back) {
-      bounds_.set_back(contraction.star(), scratch.back.bounds(), scratch.tolerance);
-      contraction.scratch().counters.loses_points |= scratch.back.is_any_lost();
+    if (state_.policies.stop.needs().reverse_distance) {
+      bounds_.set_reverse(contraction.star(), scratch.reverse.bounds(), scratch.tolerance);
+      contraction.scratch().counters.loses_points |= scratch.reverse.is_any_lost();
     }
   }
   void pack() override {
     bounds_.pack_if([this](Index face) { return !state_.complex.is_removed(face); });
   }
 
-  void tell(Report& report, bool has_all_points) const override {
+  void write_to(Report& report, bool has_all_points) const override {
     const double unit = bounds_.greatest_tolerance();
     report.distance_bound = state_.scale.length_of_mesh(unit * bounds_.greatest(state_.complex));
-    if (state_.policies.stop.needs().distance_back && has_all_points)
+    if (state_.policies.stop.needs().reverse_distance && has_all_points)
       report.hausdorff_bound =
           (std::max)(report.distance_bound,
-                     state_.scale.length_of_mesh(unit * bounds_.greatest_back(state_.complex)));
+                     state_.scale.length_of_mesh(unit * bounds_.greatest_reverse(state_.complex)));
     if (bounds_.has_tolerances() && has_all_points)
-      tell_tolerance(report);
+      write_tolerance(report);
   }
-  void tell_bounds(std::vector<FaceBound>& bounds) const override {
-    bounds_.tell(bounds, state_.complex, state_.numbering.faces);
+  void write_bounds(std::vector<FaceBound>& bounds) const override {
+    bounds_.write_to(bounds, state_.complex, state_.numbering.faces);
   }
 
 private:
@@ -156,11 +157,11 @@ private:
     StarTolerance& tolerance = scratch_of(contraction).tolerance;
     tolerance = bounds_.tolerance_of(contraction.star());
     const auto stops = [&](const FaceDeviation& deviation) {
-      tell_distance(status, deviation.from_input, tolerance);
+      announce_distance(status, deviation.from_input, tolerance);
       return state_.policies.stop(status);
     };
     const FaceDeviation deviation = measure(contraction, status);
-    if (!is_next_to_nothing(deviation, contraction) || contraction.star().hub != none ||
+    if (!is_next_to_nothing(deviation, contraction) || contraction.star().high_valence != none ||
         state_.geometry.is_fixed(contraction.first()) ||
         state_.geometry.is_fixed(contraction.second()))
       return stops(deviation);
@@ -181,23 +182,23 @@ private:
   bool measure_too_far_both_ways(Contraction& contraction, Status& status) {
     if (measure_too_far(contraction, status))
       return true;
-    if (!state_.policies.stop.needs().distance_back)
+    if (!state_.policies.stop.needs().reverse_distance)
       return false;
     DistanceScratch& scratch = scratch_of(contraction);
     const double used = status.next_tolerance;
     const auto stops = [&](double distance) {
-      status.next_distance_back = told(distance, scratch.tolerance);
+      status.next_reverse_distance = reported(distance, scratch.tolerance);
       if (scratch.tolerance.is_given)
         status.next_tolerance = (std::max)(used, scratch.tolerance.bound_of(distance));
       return state_.policies.stop(status);
     };
-    return stops(bounds_.measure_back(contraction.star(),
-                                      kind_of_star(contraction.first(), contraction.second()),
-                                      scratch.tolerance, scratch.deviation, scratch.back, stops));
+    return stops(bounds_.measure_reverse(
+        contraction.star(), kind_of_star(contraction.first(), contraction.second()),
+        scratch.tolerance, scratch.deviation, scratch.reverse, stops));
   }
 
   // How much of them is used, and in which face most.
-  void tell_tolerance(Report& report) const {
+  void write_tolerance(Report& report) const {
     const Index face = bounds_.most_used(state_.complex);
     if (face == none)
       return;
@@ -212,7 +213,7 @@ private:
     const Index a = contraction.first(), b = contraction.second();
     DistanceScratch& scratch = scratch_of(contraction);
     const auto stops_beyond = [&, after = status](double distance) mutable {
-      tell_distance(after, distance, scratch.tolerance);
+      announce_distance(after, distance, scratch.tolerance);
       return state_.policies.stop(after);
     };
     return bounds_.measure(contraction.star(), a, b, state_.geometry.positions(),
@@ -228,14 +229,14 @@ private:
   }
 
   // How far the surface will be from the input.
-  void tell_distance(Status& status, double distance, const StarTolerance& tolerance) const {
-    status.next_distance = told(distance, tolerance);
+  void announce_distance(Status& status, double distance, const StarTolerance& tolerance) const {
+    status.next_distance = reported(distance, tolerance);
     if (tolerance.is_given)
       status.next_tolerance = tolerance.bound_of(distance);
   }
   // Returns a distance for reports: 0 if it may be nothing but rounding. If there are tolerances,
   // `distance` is a fraction, and the result is at most that fraction of the greatest.
-  double told(double distance, const StarTolerance& tolerance) const {
+  double reported(double distance, const StarTolerance& tolerance) const {
     if (distance <= bounds_.rounding())
       return 0;
     return state_.scale.length_of_mesh(tolerance.distance_of(tolerance.bound_of(distance)));
@@ -258,7 +259,7 @@ private:
   std::vector<DistanceScratch> scratches_; // one for each thread
 };
 
-/// For OptionalParts.
+/// For OptionalModules.
 template <class Policies, bool both_ways>
 std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs) {
   return std::make_unique<DistanceCheck<Policies, both_ways>>(needs);

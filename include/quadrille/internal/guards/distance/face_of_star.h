@@ -19,7 +19,7 @@ struct FaceOfStar {
   double bound;
   std::size_t end;
   bool is_shared;
-  FlatTriangle flat = {}; // in the plane of the sheet at hand
+  FlatTriangle flat = {}; // in the plane of the fan at hand
 
   /// Winds it the other way.
   void turn_over() {

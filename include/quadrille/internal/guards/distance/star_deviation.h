@@ -4,11 +4,11 @@
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/surface/flat_polygons.h>
-#include <quadrille/internal/guards/distance/border_strips.h>
+#include <quadrille/internal/guards/distance/boundary_strips.h>
 #include <quadrille/internal/guards/distance/face_of_star.h>
-#include <quadrille/internal/guards/distance/part_of_star.h>
+#include <quadrille/internal/guards/distance/fans_of_star.h>
 #include <quadrille/internal/guards/distance/polygon_table.h>
-#include <quadrille/internal/guards/distance/sheets_of_star.h>
+#include <quadrille/internal/guards/distance/star_patch.h>
 #include <quadrille/quadric_form.h>
 
 #include <algorithm>
@@ -25,11 +25,11 @@ namespace quadrille::internal {
 /// How far a contraction takes the faces around a pair away from those that were there, at most.
 ///
 /// A new face is compared with its former self: the distance to a triangle is convex, so it is
-/// greatest at the corner that has moved. Or it is cut into polygons: see PartOfStar.
+/// greatest at the corner that has moved. Or it is cut into polygons: see StarPatch.
 ///
-/// Each sheet between boundaries and junction lines is compared with itself, and has a boundary
-/// where it meets others: see SheetsOfStar. If some new face is turned over in the plane of a
-/// sheet, at a sharp crease, faces of similar normals are compared separately in the same way.
+/// Each fan between boundaries and junction lines is compared with itself, and has a boundary
+/// where it meets others: see FansOfStar. If some new face is turned over in the plane of a
+/// fan, at a sharp crease, faces of similar normals are compared separately in the same way.
 class StarDeviation {
 public:
   /// If more faces change, cutting polygons would take long: each face may meet each.
@@ -68,10 +68,10 @@ public:
     changed_ = faces_.size();
     for (const StarFace& f : star.shared)
       add(f, 0, true);
-    part_.begin(ends_, b, x, extent_);
+    patch_.begin(ends_, b, x, extent_);
     polygons_.clear();
   }
-  /// Keeps the polygons of those sheets that are compared whole.
+  /// Keeps the polygons of those fans that are compared whole.
   void keep_polygons() { polygons_.begin(faces_.size()); }
   const PolygonTable& polygons() const { return polygons_; }
 
@@ -93,21 +93,21 @@ public:
   /// removed. A caller that projects them for a comparison of its own begins its region here.
   std::vector<FaceOfStar>& faces() { return faces_; }
   std::size_t changed() const { return changed_; }
-  void begin(PartOfStar& part) const { part.begin(ends_, b_, x_, extent_); }
+  void begin(StarPatch& patch) const { patch.begin(ends_, b_, x_, extent_); }
   const Vector<3>& target() const { return x_; }
   bool is_second_end(Index v) const { return v == b_; }
-  /// Returns the sheets that were compared last.
-  const SheetsOfStar& sheets() const { return sheets_; }
+  /// Returns the fans that were compared last.
+  const FansOfStar& fans() const { return fans_; }
 
   /// The greatest extent of the star, up to a factor of two.
   double extent() const { return extent_; }
   /// Returns an upper limit of the roundings of all measurements.
-  double rounding() const { return PartOfStar::rounding(extent_); }
+  double rounding() const { return StarPatch::rounding(extent_); }
 
   /// Compares each face with the one that it was. If it is certain that one will be too far,
-  /// returns how far that is. Are all of one sheet, and wound alike?
+  /// returns how far that is. Are all of one fan, and wound alike?
   template <class IsTooFar>
-  std::optional<FaceDeviation> compare_each(bool is_one_sheet, IsTooFar is_too_far) {
+  std::optional<FaceDeviation> compare_each(bool is_one_fan, IsTooFar is_too_far) {
     deviations_.clear();
     FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // polygons find no less at x
     for (const Face& f : faces_) {
@@ -118,7 +118,7 @@ public:
         least = deviation;
       if (f.is_shared)
         continue;
-      if (is_one_sheet && changed_ > most_faces && is_too_far(deviation.from_input))
+      if (is_one_fan && changed_ > most_faces && is_too_far(deviation.from_input))
         return deviation;
       deviations_.push_back(deviation);
     }
@@ -129,33 +129,33 @@ public:
 
   /// Measures how far the boundary moves, to either side. If that is too far, returns the distance.
   template <class IsTooFar>
-  std::optional<FaceDeviation> compare_border(IsTooFar is_too_far) {
-    border_.clear();
+  std::optional<FaceDeviation> compare_boundary(IsTooFar is_too_far) {
+    boundary_.clear();
     for (const Face& f : faces_)
-      border_.add(f, b_);
-    border_.sum_up();
-    border_.keep_open_ones([this](std::size_t end) { return !is_unchanged(end); });
-    of_border_ = border_.deviation(ends_, x_);
-    return is_too_far(of_border_.from_input) ? std::optional(of_border_) : std::nullopt;
+      boundary_.add(f, b_);
+    boundary_.sum_up();
+    boundary_.keep_open_ones([this](std::size_t end) { return !is_unchanged(end); });
+    of_boundary_ = boundary_.deviation(ends_, x_);
+    return is_too_far(of_boundary_.from_input) ? std::optional(of_boundary_) : std::nullopt;
   }
   /// Adds it to the known deviations of the faces at the boundary.
-  void add_border() {
+  void add_boundary() {
     for (std::size_t i = 0; i < changed_; ++i)
-      if (border_.has(faces_[i].second) || border_.has(faces_[i].third))
-        deviations_[i].raise_to(of_border_);
+      if (boundary_.has(faces_[i].second) || boundary_.has(faces_[i].third))
+        deviations_[i].raise_to(of_boundary_);
   }
 
   /// Compares them by polygons. Once a face is too far either way, returns the distance.
   template <class IsTooFar>
-  std::optional<FaceDeviation> compare_sheets(bool is_one_sheet, IsTooFar is_too_far) {
-    if (is_one_sheet && changed_ > most_faces)
+  std::optional<FaceDeviation> compare_fans(bool is_one_fan, IsTooFar is_too_far) {
+    if (is_one_fan && changed_ > most_faces)
       return std::nullopt;
-    if (is_one_sheet)
-      sheets_.take_one(faces_);
+    if (is_one_fan)
+      fans_.take_one(faces_);
     else
-      sheets_.find(faces_, b_);
-    for (std::size_t i = 0; i < sheets_.size(); ++i)
-      if (const auto beyond = compare_sheet(sheets_[i], is_too_far))
+      fans_.find(faces_, b_);
+    for (std::size_t i = 0; i < fans_.size(); ++i)
+      if (const auto beyond = compare_fan(fans_[i], is_too_far))
         return beyond;
     return std::nullopt;
   }
@@ -163,38 +163,38 @@ public:
 private:
   using Face = FaceOfStar;
 
-  // Compares the sheet whole, or else in groups of similar normals.
+  // Compares the fan whole, or else in groups of similar normals.
   template <class IsTooFar>
-  std::optional<FaceDeviation> compare_sheet(std::span<Face* const> sheet, IsTooFar is_too_far) {
+  std::optional<FaceDeviation> compare_fan(std::span<Face* const> fan, IsTooFar is_too_far) {
     const auto changed =
-        std::count_if(sheet.begin(), sheet.end(), [](const Face* f) { return !f->is_shared; });
+        std::count_if(fan.begin(), fan.end(), [](const Face* f) { return !f->is_shared; });
     if (changed > static_cast<std::ptrdiff_t>(most_faces))
-      return first_beyond(sheet, is_too_far);
-    part_.take(sheet);
-    if (part_.lay_flat() && !part_.leaves_steep_ones()) {
+      return first_beyond(fan, is_too_far);
+    patch_.take(fan);
+    if (patch_.lay_flat() && !patch_.leaves_steep_ones()) {
       if (polygons_.is_kept())
-        part_.keep_polygons(polygons_, faces_.data());
-      return measure_part(is_too_far);
+        patch_.keep_polygons(polygons_, faces_.data());
+      return measure_patch(is_too_far);
     }
-    rest_.assign(sheet.begin(), sheet.end());
+    rest_.assign(fan.begin(), fan.end());
     while (Face* const seed = largest_of_rest()) {
-      part_.take_like(*seed, rest_);
-      if (part_.lay_flat())
-        part_.leaves_steep_ones();
-      const bool is_left_out = !part_.has(seed);
-      std::erase_if(rest_, [&](const Face* f) { return f == seed || part_.has(f); });
+      patch_.take_like(*seed, rest_);
+      if (patch_.lay_flat())
+        patch_.leaves_steep_ones();
+      const bool is_left_out = !patch_.has(seed);
+      std::erase_if(rest_, [&](const Face* f) { return f == seed || patch_.has(f); });
       if (is_left_out && is_too_far(known_of(*seed).from_input))
         return known_of(*seed);
-      if (const auto beyond = measure_part(is_too_far))
+      if (const auto beyond = measure_patch(is_too_far))
         return beyond;
     }
     return std::nullopt;
   }
 
-  // Measures the faces of a sheet that is not cut into polygons.
+  // Measures the faces of a fan that is not cut into polygons.
   template <class IsTooFar>
-  std::optional<FaceDeviation> first_beyond(std::span<Face* const> sheet, IsTooFar is_too_far) {
-    for (const Face* f : sheet)
+  std::optional<FaceDeviation> first_beyond(std::span<Face* const> fan, IsTooFar is_too_far) {
+    for (const Face* f : fan)
       if (!f->is_shared && is_too_far(known_of(*f).from_input))
         return known_of(*f);
     return std::nullopt;
@@ -209,14 +209,14 @@ private:
   }
 
   template <class IsTooFar>
-  std::optional<FaceDeviation> measure_part(IsTooFar is_too_far) {
-    part_.find_strips();
-    for (const Face* f : part_) {
+  std::optional<FaceDeviation> measure_patch(IsTooFar is_too_far) {
+    patch_.find_strips();
+    for (const Face* f : patch_) {
       if (f->is_shared)
         continue;
       FaceDeviation& known = known_of(*f);
       if (known.from_star > 0)
-        if (const FaceDeviation found = part_.measure(*f, known.from_input);
+        if (const FaceDeviation found = patch_.measure(*f, known.from_input);
             found.from_input < known.from_input)
           known = found;
       if (is_too_far(known.from_input))
@@ -235,14 +235,14 @@ private:
   Index b_ = 0;
   std::vector<Face> faces_; // those that change come first, then those that go
   std::vector<FaceDeviation> deviations_;
-  SheetsOfStar sheets_;
-  PolygonTable polygons_;   // of sheets
-  PartOfStar part_;         // of a sheet, that is compared now
+  FansOfStar fans_;
+  PolygonTable polygons_;   // of fans
+  StarPatch patch_;         // of a fan, that is compared now
   std::vector<Face*> rest_; // of it, for later
   std::size_t changed_ = 0;
   double extent_ = 0;
-  BorderStrips border_; // of the surface
-  FaceDeviation of_border_;
+  BoundaryStrips boundary_; // of the surface
+  FaceDeviation of_boundary_;
 };
 
 } // namespace quadrille::internal

@@ -35,11 +35,11 @@ struct StarTolerance {
       return length;
     if (length <= rounding)
       return static_cast<double>(used);
-    const double part = length / least;
-    const auto near = static_cast<float>(part);
+    const double ratio = length / least;
+    const auto near = static_cast<float>(ratio);
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    return static_cast<double>(near) < part ? static_cast<double>(std::nextafter(near, infinity))
-                                            : static_cast<double>(near);
+    return static_cast<double>(near) < ratio ? static_cast<double>(std::nextafter(near, infinity))
+                                             : static_cast<double>(near);
   }
 };
 

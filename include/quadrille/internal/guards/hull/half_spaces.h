@@ -87,13 +87,13 @@ private:
       for (std::size_t i = 0; i < old_size; ++i)
         if ((members >> i & 1) != 0)
           basis_[size_++] = old[i];
-      if (solve() && all_hold(old, old_size, members))
+      if (solve() && contain_all(old, old_size, members))
         return true;
     }
     return false;
   }
 
-  bool all_hold(const std::array<Row, 3>& rows, std::size_t size, unsigned members) const {
+  bool contain_all(const std::array<Row, 3>& rows, std::size_t size, unsigned members) const {
     for (std::size_t i = 0; i < size; ++i)
       if ((members >> i & 1) == 0 &&
           dot(rows[i].normal, x_ - start_) < rows[i].offset - 0.5 * tolerance_)
@@ -107,13 +107,13 @@ private:
     std::array<double, 3> force{};
     if (!(size_ == 1 ? solve_one(force) : size_ == 2 ? solve_two(force) : solve_three(force)))
       return false;
-    Vector<3> way{};
+    Vector<3> displacement{};
     for (std::size_t i = 0; i < size_; ++i) {
       if (!(force[i] >= 0))
         return false;
-      way += force[i] * basis_[i].push;
+      displacement += force[i] * basis_[i].push;
     }
-    x_ = start_ + way;
+    x_ = start_ + displacement;
     return true;
   }
 

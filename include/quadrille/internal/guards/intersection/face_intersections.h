@@ -120,18 +120,18 @@ public:
       look_at(star, first, second);
     for (const TriedPlace& tried : tried_)
       if (tried.target == target) {
-        in_the_way_ = tried.in_the_way;
+        obstacle_ = tried.obstacle;
         return tried.intersects;
       }
     place_at(target);
-    in_the_way_ = none;
+    obstacle_ = none;
     const bool intersects = meets_or_passes(star, first, second);
-    tried_.push_back({target, intersects, in_the_way_});
+    tried_.push_back({target, intersects, obstacle_});
     return intersects;
   }
 
   bool has_obstacles() const override { return true; }
-  Index obstacle() const override { return in_the_way_; }
+  Index obstacle() const override { return obstacle_; }
 
   void follow(const GuardedPair<N>& pair, Index) override { follow(pair.star, pair.first); }
   void follow(const PairStar& star, Index first) {
@@ -161,7 +161,7 @@ public:
     replant();
     std::size_t count = 0;
     for (std::size_t begin = 0; begin < faces_.size(); begin += BoxTree::width)
-      for_each_pair_behind(begin, [&](Index, Index) { ++count; });
+      for_each_pair_from(begin, [&](Index, Index) { ++count; });
     return count;
   }
 
@@ -170,7 +170,7 @@ public:
     replant();
     std::array<Index, 2> first{none, none};
     for (std::size_t begin = 0; begin < faces_.size() && first[0] == none; begin += BoxTree::width)
-      for_each_pair_behind(begin, [&](Index a, Index b) {
+      for_each_pair_from(begin, [&](Index a, Index b) {
         if (first[0] == none)
           first = {a, b};
       });
@@ -182,7 +182,7 @@ private:
   struct TriedPlace {
     Vector<3> target;
     bool intersects;
-    Index in_the_way;
+    Index obstacle;
   };
 
   std::array<float, 3> rounded(const Vector<3>& p) const {
@@ -241,12 +241,12 @@ private:
     --left_;
   }
 
-  // A hub keeps its place, and its faces.
+  // A high-valence vertex keeps its place, and its faces.
   template <class Visit>
   static void for_each_changed(const PairStar& star, Index first, Visit visit) {
-    if (star.hub == none)
+    if (star.high_valence == none)
       return star.for_each_changed(visit);
-    for (const StarFace& f : star.hub == first ? star.second : star.first)
+    for (const StarFace& f : star.high_valence == first ? star.second : star.first)
       visit(f);
   }
 
@@ -255,8 +255,9 @@ private:
   // The star of a pair as it is now, which is the same for all places that are tried.
   void look_at(const PairStar& star, Index first, Index second) {
     pair_ = {first, second};
-    const Index kept = star.hub == none ? first : star.hub;
-    moving_ = {star.hub == first ? second : first, star.hub == second ? first : second};
+    const Index kept = star.high_valence == none ? first : star.high_valence;
+    moving_ = {star.high_valence == first ? second : first,
+               star.high_valence == second ? first : second};
     tried_.clear();
     changed_.clear();
     old_.clear();
@@ -296,7 +297,7 @@ private:
   }
 
   // Does a face stay as it is?
-  bool is_beside(Index face) const {
+  bool is_next_to(Index face) const {
     const auto& v = complex_.vertices(face);
     return !complex_.is_removed(face) && std::none_of(v.begin(), v.end(), [&](Index w) {
       return w == moving_[0] || w == moving_[1];
@@ -306,21 +307,21 @@ private:
   // A pair that has been rejected is tried again and again, at several places, and mostly meets
   // faces that it met before, or that a pair of the same vertex did.
   bool meets_one_met_before(Index vertex) {
-    if (is_beside(last_met_) && is_met(last_met_)) {
-      in_the_way_ = last_met_;
+    if (is_next_to(last_met_) && is_met(last_met_)) {
+      obstacle_ = last_met_;
       return true;
     }
     auto& met = met_before_[vertex];
     for (std::size_t i = 0; i < met.size() && met[i] != none; ++i)
-      if (met[i] != last_met_ && is_beside(met[i]) && is_met(met[i])) {
-        in_the_way_ = last_met_ = met[i];
+      if (met[i] != last_met_ && is_next_to(met[i]) && is_met(met[i])) {
+        obstacle_ = last_met_ = met[i];
         std::rotate(met.begin(), met.begin() + i, met.begin() + i + 1);
         return true;
       }
     return false;
   }
   void note_met(Index vertex, Index face) {
-    in_the_way_ = last_met_ = face;
+    obstacle_ = last_met_ = face;
     auto& met = met_before_[vertex];
     std::rotate(met.begin(), met.end() - 1, met.end());
     met.front() = face;
@@ -342,7 +343,7 @@ private:
     searched_ = around;
     near_.clear();
     boxes_.for_each_meeting(around, [&](std::size_t slot, const FloatBox& box) {
-      if (const Index face = faces_[slot]; is_beside(face))
+      if (const Index face = faces_[slot]; is_next_to(face))
         near_.add({face, corners_of(face)}, box);
     });
   }
@@ -377,7 +378,7 @@ private:
             return TrianglePair(corners, face.corners).intersect();
           }))
         return false;
-      in_the_way_ = face.face;
+      obstacle_ = face.face;
       return true;
     });
   }
@@ -405,8 +406,8 @@ private:
     return false;
   }
 
-  // Do faces change places around an edge of four or more at the new vertex? A hub has others
-  // there.
+  // Do faces change places around an edge of four or more at the new vertex? A high-valence vertex
+  // has others there.
   bool turns_inside_out(const PairStar& star, Index first, Index second) const {
     const auto alternates_now = [&](Index v, Index w) {
       EdgeOrder order(space(geometry_.position(v)), space(geometry_.position(w)));
@@ -420,7 +421,7 @@ private:
         order.add(face.corners, first, w);
       return !order.alternates() && alternates_now(first, w) && alternates_now(second, w);
     };
-    return star.hub == none &&
+    return star.high_valence == none &&
            std::any_of(changed_.begin(), changed_.end(), [&](const PlacedFace& face) {
              return is_wrong_at(face.corners.points[0], face.corners.vertices[1]);
            });
@@ -428,7 +429,7 @@ private:
 
   // Visits the intersecting pairs of a face in one of eight slots and another one after it.
   template <class Visit>
-  void for_each_pair_behind(std::size_t begin, Visit visit) const {
+  void for_each_pair_from(std::size_t begin, Visit visit) const {
     const std::size_t end = (std::min)(begin + BoxTree::width, faces_.size());
     std::vector<FaceSides> sides;
     for (std::size_t slot = begin; slot < end; ++slot)
@@ -453,12 +454,12 @@ private:
   std::vector<Index> slots_; // of each face
   BoxTree boxes_;
   std::size_t left_ = 0;
-  Index last_met_ = 0, in_the_way_ = none;
+  Index last_met_ = 0, obstacle_ = none;
   std::vector<std::array<Index, 4>> met_before_; // by pairs of each vertex, the last one first
 
   // The pair at hand, of which several places may be tried: see look_at() and place_at().
   std::array<Index, 2> pair_{none, none};
-  std::array<Index, 2> moving_{none, none}; // its ends, but for a hub
+  std::array<Index, 2> moving_{none, none}; // its ends, but for a high-valence vertex
   std::vector<TriedPlace> tried_;
   std::vector<Index> old_; // faces that the contraction would change, or take away
   FloatBox around_old_ = FloatBox::empty();

@@ -46,10 +46,11 @@ public:
 private:
   // Returns 1 in front, −1 behind; 0 if doubles cannot decide it.
   QUADRILLE_ALWAYS_INLINE double side_of(const Vector<3>& point) const {
-    const Vector<3> way = difference(point, origin_);
-    const double height = dot(normal_, way);
-    const double doubt = RoundedSum::least + std::abs(way[0]) * doubt_[0] +
-                         std::abs(way[1]) * doubt_[1] + std::abs(way[2]) * doubt_[2];
+    const Vector<3> displacement = difference(point, origin_);
+    const double height = dot(normal_, displacement);
+    const double doubt = RoundedSum::least + std::abs(displacement[0]) * doubt_[0] +
+                         std::abs(displacement[1]) * doubt_[1] +
+                         std::abs(displacement[2]) * doubt_[2];
     return height > doubt ? 1 : height < -doubt ? -1 : 0;
   }
 
@@ -94,7 +95,7 @@ public:
         if (face_.vertices[i] == other.vertices[j])
           ++common, ours = i, theirs = j;
     return common < 2 && (plane_.has_on_one_side(other.points, theirs) ||
-                          (is_certain_ && is_behind_side(other.points, ours, theirs)) ||
+                          (is_certain_ && is_outside_side(other.points, ours, theirs)) ||
                           FacePlane(other.points).has_on_one_side(face_.points, ours));
   }
 
@@ -102,28 +103,28 @@ private:
   static constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
   // Is another face, of which we may have a corner, behind a side?
-  bool is_behind_side(const std::array<Vector<3>, 3>& other, std::size_t ours,
-                      std::size_t theirs) const {
+  bool is_outside_side(const std::array<Vector<3>, 3>& other, std::size_t ours,
+                       std::size_t theirs) const {
     if (ours == 3)
-      return is_behind(at_begin_[0], 0, other) || is_behind(at_begin_[1], 1, other) ||
-             is_behind(at_begin_[2], 2, other);
-    return is_behind(at_begin_[ours], ours, other, theirs) ||
-           is_behind(at_end_[ours], ours, other, theirs);
+      return is_outside(at_begin_[0], 0, other) || is_outside(at_begin_[1], 1, other) ||
+             is_outside(at_begin_[2], 2, other);
+    return is_outside(at_begin_[ours], ours, other, theirs) ||
+           is_outside(at_end_[ours], ours, other, theirs);
   }
   // Are points on the other side of a plane through a corner?
-  bool is_behind(const Vector<3>& outwards, std::size_t corner, const Vector<3>& point) const {
+  bool is_outside(const Vector<3>& outwards, std::size_t corner, const Vector<3>& point) const {
     return rounded_dot(outwards, difference(point, face_.points[corner])).is_positive();
   }
-  bool is_behind(const Vector<3>& outwards, std::size_t corner,
-                 const std::array<Vector<3>, 3>& points) const {
-    return is_behind(outwards, corner, points[0]) && is_behind(outwards, corner, points[1]) &&
-           is_behind(outwards, corner, points[2]);
+  bool is_outside(const Vector<3>& outwards, std::size_t corner,
+                  const std::array<Vector<3>, 3>& points) const {
+    return is_outside(outwards, corner, points[0]) && is_outside(outwards, corner, points[1]) &&
+           is_outside(outwards, corner, points[2]);
   }
   // All of them but one.
-  bool is_behind(const Vector<3>& outwards, std::size_t corner,
-                 const std::array<Vector<3>, 3>& points, std::size_t but) const {
-    return is_behind(outwards, corner, points[next(but)]) &&
-           is_behind(outwards, corner, points[next(next(but))]);
+  bool is_outside(const Vector<3>& outwards, std::size_t corner,
+                  const std::array<Vector<3>, 3>& points, std::size_t but) const {
+    return is_outside(outwards, corner, points[next(but)]) &&
+           is_outside(outwards, corner, points[next(next(but))]);
   }
 
   FaceCorners face_;

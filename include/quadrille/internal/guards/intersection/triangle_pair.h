@@ -114,12 +114,13 @@ private:
   // Is there a plane across the line between the middles, with one on each side?
   bool are_apart() const {
     const Points &a = first_, &b = second_;
-    Vector<3> way;
+    Vector<3> direction;
     for (std::size_t i = 0; i < 3; ++i)
-      way[i] = ((*b[0])[i] + (*b[1])[i] + (*b[2])[i]) - ((*a[0])[i] + (*a[1])[i] + (*a[2])[i]);
+      direction[i] =
+          ((*b[0])[i] + (*b[1])[i] + (*b[2])[i]) - ((*a[0])[i] + (*a[1])[i] + (*a[2])[i]);
     for (const Vector<3>* from : a)
       for (const Vector<3>* to : b)
-        if (!rounded_dot(way, difference(*to, *from)).is_positive())
+        if (!rounded_dot(direction, difference(*to, *from)).is_positive())
           return false;
     return true;
   }
@@ -132,12 +133,14 @@ private:
     std::array<double, 4> inverse_lengths;
     for (std::size_t i = 0; i < 4; ++i)
       inverse_lengths[i] = 1 / std::sqrt(rounded_dot(sides[i], sides[i]).value);
-    Vector<3> way;
+    Vector<3> direction;
     for (std::size_t i = 0; i < 3; ++i)
-      way[i] = inverse_lengths[0] * sides[0][i] + inverse_lengths[1] * sides[1][i] -
-               inverse_lengths[2] * sides[2][i] - inverse_lengths[3] * sides[3][i];
-    return rounded_dot(way, sides[0]).is_positive() && rounded_dot(way, sides[1]).is_positive() &&
-           rounded_dot(way, sides[2]).is_negative() && rounded_dot(way, sides[3]).is_negative();
+      direction[i] = inverse_lengths[0] * sides[0][i] + inverse_lengths[1] * sides[1][i] -
+                     inverse_lengths[2] * sides[2][i] - inverse_lengths[3] * sides[3][i];
+    return rounded_dot(direction, sides[0]).is_positive() &&
+           rounded_dot(direction, sides[1]).is_positive() &&
+           rounded_dot(direction, sides[2]).is_negative() &&
+           rounded_dot(direction, sides[3]).is_negative();
   }
 
   // Is the angle between them an obtuse one?

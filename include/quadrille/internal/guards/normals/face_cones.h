@@ -160,7 +160,7 @@ public:
 
 private:
   bool is_too_far(const PairStar& star, Index second, const Vector<3>& target) const {
-    if (star.hub != none && meets_further_hub(star, second))
+    if (star.high_valence != none && meets_further_high_valence(star, second))
       return true; // of whose faces not all are known
     const ConesOfStar cones = cones_of(star, second);
     const auto is_face_too_far = [&](const ConesOfStar::Face& f) {
@@ -195,11 +195,11 @@ private:
     return {star, second, is_topology_kept_, [this](Index face) { return cones_[face]; }};
   }
 
-  // At an edge between hubs the star has one face only.
-  bool meets_further_hub(const PairStar& star, Index second) const {
-    return star.may_meet_hub ||
+  // At an edge between high-valence vertices the star has one face only.
+  bool meets_further_high_valence(const PairStar& star, Index second) const {
+    return star.may_meet_high_valence ||
            std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
-             return complex_.hubs().has(f.other_than(second));
+             return complex_.high_valence_vertices().has(f.other_than(second));
            });
   }
 
