@@ -114,20 +114,24 @@ compiler_spellings() {
   ! grep -rn '' include | sed 's|//.*||' | grep -E '\b(min|max) *\('
 }
 
-# Comments are sentences in plain English: none begins with a word such as Of or What, and none uses a word
+# Comments are sentences in plain English, and fragments behind a declaration noun phrases or verbs: none begins with a word such as Of or What, and none uses a word
 # of words.txt. Names of functions, and what stands in backquotes, are no words.
 words() {
   banned=$(grep -v '^#' test/words.txt | cut -f1 | paste -sd '|')
   cd include/quadrille
   find . -name '*.h' -exec awk -v banned=" ($banned) " '
-    BEGIN { first = "^(Of|What|The same|Who|Whose|Those|That|Where)( |$)" }
+    BEGIN {
+      first = "^(Of|What|The same|Who|Whose|Those|That|Where)( |$)"
+      fragment = "^(of|what|the same|who|whose|those|that|where)( |$)"
+    }
     FNR == 1 { inside = 0 }
     {
       begin = match($0, /\/\/+<?( |$)/)
       if (!begin || substr($0, 1, begin - 1) ~ /"[^"]*$/) { inside = 0; next }
       is_line = substr($0, 1, begin - 1) ~ /^ *$/
       text = substr($0, begin + RLENGTH)
-      if ((!inside || !is_line) && text ~ first) {
+      is_fragment = substr($0, begin, RLENGTH) ~ /</ && !(inside && is_line)
+      if (((!inside || !is_line) && text ~ first) || (is_fragment && text ~ fragment)) {
         print FILENAME ":" FNR ": begins with " text
         wrong = 1
       }
@@ -140,6 +144,37 @@ words() {
       }
     }
     END { exit wrong }' {} +
+}
+
+# No name in a header, program or example has a word of private_names.txt, but in the places that its line allows.
+names() {
+  # shellcheck disable=SC2046
+  perl -ne '
+    BEGIN {
+      open my $list, "<", "test/private_names.txt" or die;
+      while (<$list>) {
+        next if /^#/;
+        chomp;
+        my ($words, $instead, $folder, $allowed) = split /\t/;
+        for my $word (split /\|/, $words) {
+          $folder{$word} = $folder;
+          $allowed{$word}{$_} = 1 for split / /, $allowed // "";
+        }
+      }
+    }
+    s{"(?:[^"\\]|\\.)*"|//.*|^ */?\*.*|/\*.*?\*/}{""}ge;
+    (my $name = $ARGV) =~ s{.*/}{};
+    while (/([A-Za-z_]\w*)/g) {
+      my $identifier = $1;
+      for my $word (map { lc } split /_+|(?<=[a-z0-9])(?=[A-Z])/, $identifier) {
+        my $folder = $folder{$word} or next;
+        next if $ARGV !~ m{^(?:$folder)/} || $allowed{$word}{$name} || $allowed{$word}{$identifier};
+        print "$ARGV:$.: $identifier has the word $word\n";
+        $wrong = 1;
+      }
+    }
+    close ARGV if eof;
+    END { $? = $wrong ? 1 : 0 }' $(find include examples -name '*.h' -o -name '*.cpp' -o -name '*.def' | sort)
 }
 
 # Messages are plain English as well: no text in quotes that has a blank uses a word of words.txt.

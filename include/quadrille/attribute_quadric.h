@@ -36,7 +36,8 @@ namespace quadrille {
 /// Metrics, 1998, sections 3 and 4.
 template <std::size_t N, Attribute A = Attribute::any>
 struct AttributeQuadric {
-  static constexpr std::size_t dimension = 3 + N; ///< of space, and the attributes
+  /// Three coordinates of space, and the attributes.
+  static constexpr std::size_t dimension = 3 + N;
   using ScaleFree = AttributeQuadric;             ///< scale-invariant: see
                                                   ///< CostPolicy
   using TieBreak = AttributeQuadric;              ///< has the scale of this class's values

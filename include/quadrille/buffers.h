@@ -48,7 +48,7 @@ public:
   /// The N numbers of a vertex.
   using value_type = std::array<T, N>;
   using reference = value_type;                        ///< a copy
-  using category = boost::read_write_property_map_tag; ///< of property maps
+  using category = boost::read_write_property_map_tag; ///< the category of property maps
 
   /// Views `count` vertices of `stride` bytes each, with the attribute `offset` bytes after the
   /// start of the vertex. Throws std::invalid_argument if the attribute does not lie inside the
@@ -81,7 +81,7 @@ public:
         "quadrille::VertexAttribute: this member does not consist of N numbers of type T.");
   }
 
-  std::byte* data() const { return vertices_; }  ///< of the first vertex
+  std::byte* data() const { return vertices_; }  ///< points to the first vertex
   std::size_t size() const { return count_; }    ///< the number of vertices
   std::size_t stride() const { return stride_; } ///< bytes per vertex
   std::size_t offset() const { return offset_; } ///< bytes from the start of a vertex
@@ -135,7 +135,7 @@ public:
   /// The N numbers of a row.
   using value_type = std::array<typename Matrix::Scalar, N>;
   using reference = value_type;                        ///< a copy
-  using category = boost::read_write_property_map_tag; ///< of property maps
+  using category = boost::read_write_property_map_tag; ///< the category of property maps
 
   /// Throws std::invalid_argument if the matrix has fewer than N columns.
   explicit MatrixRows(Matrix& matrix) : matrix_(&matrix) {

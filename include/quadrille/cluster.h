@@ -53,7 +53,7 @@ using ClusterCells = std::variant<Grid, CellSize, FaceCount>;
 /// The position of a vertex in its cell.
 enum class ClusterPlacement {
   mean,   ///< at the mean of the cell's points
-  quadric ///< where the squared distance to the planes of the triangles at these points is least
+  quadric ///< the point of least squared distance to the planes of the triangles at these points
 };
 
 /// The report of cluster_vertices(). It can be printed in one line.

@@ -38,7 +38,7 @@ constexpr std::string_view to_string(FileStage stage) {
 /// An estimate of the resources of simplify_file, from the file sizes. It is available before any
 /// work is done.
 struct FileEstimate {
-  std::uint64_t faces = 0;   ///< of the input
+  std::uint64_t faces = 0;   ///< the faces of the input
   std::uint64_t memory = 0;  ///< peak memory of the process, in bytes
   std::uint64_t scratch = 0; ///< peak size of the scratch folder, in bytes
   std::uint64_t output = 0;  ///< size of the output, in bytes; 0 if distances are limited
@@ -52,7 +52,7 @@ struct FileStatus {
   unsigned phases = 0;                 ///< the estimated number of phases
   std::size_t chunks = 0;              ///< the number of chunks of the phase
   std::size_t chunks_done = 0;         ///< the number of chunks that are done
-  std::uint64_t faces = 0;             ///< of the input
+  std::uint64_t faces = 0;             ///< the faces of the input
   double progress = 0;                 ///< the estimated fraction of the whole work that is done,
                                        ///< from 0 to 1
   FileEstimate estimate = {};          ///< for the whole job; it does not change

@@ -40,8 +40,8 @@ struct GuardedSurface {
 
   std::vector<Vertex> vertices; ///< in an unspecified order
   std::vector<Face> faces;      ///< in an unspecified order
-  std::size_t vertex_count;     ///< of the input, including unused ones
-  std::size_t face_count;       ///< of the input, including degenerate ones
+  std::size_t vertex_count;     ///< vertices of the input, including unused ones
+  std::size_t face_count;       ///< faces of the input, including degenerate ones
 };
 
 namespace internal {

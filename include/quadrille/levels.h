@@ -42,8 +42,8 @@ struct AfterContractions {
 
 /// The known figures of a level.
 struct LevelInfo {
-  std::size_t faces = 0;        ///< of the level
-  std::size_t vertices = 0;     ///< of the level
+  std::size_t faces = 0;        ///< the faces of the level
+  std::size_t vertices = 0;     ///< the vertices of the level
   std::size_t contractions = 0; ///< the contractions that lead to it
   double error = 0;             ///< as Report::error; rounded up to a float
   /// A bound as Report::distance_bound, or a greater one: it never falls from a level to a coarser

@@ -65,7 +65,7 @@ struct MemorylessQuadric {
   /// The contribution of the current faces around a vertex, relative to the vertex, through which
   /// all their planes pass.
   struct Current {
-    SymmetricMatrix<3> matrix; ///< of the planes
+    SymmetricMatrix<3> matrix; ///< the matrix of the planes
     Vector<3> doubled_area;    ///< the sum of their doubled area vectors
 
     /// Adds the contribution of further faces.
@@ -116,7 +116,7 @@ struct MemorylessQuadric {
   /// The local terms of a pair, relative to its first end: the quadric, and the plane that keeps
   /// the volume.
   struct PairCurrent {
-    QuadricForm<3> quadric; ///< of all planes around the pair
+    QuadricForm<3> quadric; ///< the quadric of all planes around the pair
     Vector<3> normal;       ///< the sum of the doubled area vectors
     double offset = 0;      ///< normal · x = offset keeps the volume
   };

@@ -4,8 +4,8 @@
 #include <quadrille/file.h>
 #include <quadrille/internal/file/task_claims.h>
 
-#define OMPI_SKIP_MPICXX 1  ///< of OpenMPI the interface of C only
-#define MPICH_SKIP_MPICXX 1 ///< of MPICH the same
+#define OMPI_SKIP_MPICXX 1  ///< uses the interface of C only, with OpenMPI
+#define MPICH_SKIP_MPICXX 1 ///< uses the interface of C only, with MPICH
 #include <mpi.h>
 
 #include <algorithm>

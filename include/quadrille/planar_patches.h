@@ -115,7 +115,7 @@ PlanarTolerance pick_planar_tolerance(const Arguments&... arguments) {
   return tolerance;
 }
 
-/// Refuses to compile a call with named parameters that are not among `Known`.
+/// Rejects, at compile time, a call with named parameters that are not among `Known`.
 template <class NamedParameters, class Known>
 constexpr void check_planar_names() {
   namespace np = CGAL::internal_np;

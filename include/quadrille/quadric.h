@@ -113,7 +113,7 @@ struct Quadric {
   using State = QuadricForm<3>;               ///< planes, relative to the vertex
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
-  double crease_weight = 100;   ///< the same weight for each of the two faces of a crease
+  double crease_weight = 100;   ///< at least 0; applies to each of the two faces of a crease
   double crease_degrees = 180;  ///< an edge is a crease if its normals differ by more; with 180
                                 ///< there is none
   Weighting weighting = Weighting::by_area; ///< the weight of each plane

@@ -279,7 +279,7 @@ public:
     return x;
   }
 
-  static constexpr double least_relative_pivot = 1e-12; ///< of the trace
+  static constexpr double least_relative_pivot = 1e-12; ///< a fraction of the trace
 
 private:
   std::array<std::array<double, N>, N> l_{}; // below the diagonal
@@ -332,7 +332,7 @@ public:
     return {{y0 * inverse0_ - l10_ * x1 - l20_ * x2, x1, x2}};
   }
 
-  static constexpr double least_relative_pivot = 1e-12; ///< of the trace
+  static constexpr double least_relative_pivot = 1e-12; ///< a fraction of the trace
 
 private:
   Scalar l10_{}, l20_{}, l21_{};
@@ -468,7 +468,8 @@ public:
   constexpr SymmetricMatrix<N, Scalar>& matrix() { return a_; }             ///< A, to be changed
   constexpr const Position& gradient() const { return g_; } ///< g, half of the gradient at 0
   constexpr Scalar constant() const { return c_; }          ///< c, the value at 0
-  constexpr Scalar trace() const { return a_.trace(); }     ///< of A: the sum of the weights
+  /// The trace of A: the sum of the weights.
+  constexpr Scalar trace() const { return a_.trace(); }
 
 private:
   constexpr SymmetricMatrix<N, Scalar> regular_matrix(double weight) const {

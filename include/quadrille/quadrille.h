@@ -209,7 +209,7 @@ typedef int32_t (*quadrille_stop_function)(void* data, const quadrille_status* s
 typedef int32_t (*quadrille_filter_function)(void* data, const quadrille_contraction* contraction);
 typedef double (*quadrille_cost_function)(void* data, const quadrille_pair* pair);
 
-/** Sets a function that is called up to 25 times a second, and at the end: shall the call proceed?
+/** Sets a function that is called up to 25 times a second, and at the end: should the call proceed?
  * If it answers no, the call ends early with the result so far. Null removes it. */
 QUADRILLE_C void quadrille_set_progress(quadrille_call* call, quadrille_progress_function function,
                                         void* data);

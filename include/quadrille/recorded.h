@@ -68,7 +68,7 @@ struct RecordedContraction {
   RecordedIndex kept = not_recorded;
   RecordedIndex gone = not_recorded; ///< the vertex that was merged into it; not_recorded in the
                                      ///< same case
-  std::span<const double> values;    ///< of the kept vertex after the contraction: see
+  std::span<const double> values;    ///< the values of the kept vertex after the contraction: see
                                      ///< RecordedSurface
   double error = 0;                  ///< as a distance: see Report::error
   double distance_bound = 0;         ///< for the faces that it changes: see knows_distances

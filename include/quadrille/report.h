@@ -21,8 +21,8 @@ enum class Stage {
 
 /// The state of the surface just before the next contraction, as a stop policy sees it.
 struct Status {
-  std::size_t initial_faces = 0;    ///< of the input, without degenerate and doubled ones
-  std::size_t initial_vertices = 0; ///< of the input, without isolated ones
+  std::size_t initial_faces = 0;    ///< the faces of the input, without degenerate and doubled ones
+  std::size_t initial_vertices = 0; ///< the vertices of the input, without isolated ones
   std::size_t faces = 0;            ///< now
   std::size_t vertices = 0;         ///< now
   /// The edges of the input. An edge counts once, however many faces it has. Edges are counted for
@@ -52,7 +52,7 @@ struct Status {
   /// known to a stop policy that declares Needs::tolerance; for others it is infinity. It is 0
   /// while distances are still computed, which come first.
   double next_tolerance = std::numeric_limits<double>::infinity();
-  double diagonal = 0; ///< of the input's bounding box, in the mesh's units
+  double diagonal = 0; ///< the diagonal of the input's bounding box, in the mesh's units
   /// For visitors: the estimated fraction of the contractions that are done, as far as the stop
   /// policy lets it be predicted; 0 while the surface is prepared, and 1 at the last call only.
   double progress = 0;
@@ -137,11 +137,12 @@ constexpr std::string_view to_string(Rejection cause) {
 
 /// The report of `simplify`. It can be printed in one line.
 struct Report {
-  std::size_t faces_before = 0;    ///< of the input, including degenerate and doubled ones
-  std::size_t counted_faces = 0;   ///< of the input, excluding these: the count of stop policies
-  std::size_t faces_after = 0;     ///< of the result
-  std::size_t vertices_before = 0; ///< of the input, including isolated ones
-  std::size_t vertices_after = 0;  ///< of the result
+  /// The faces of the input, including degenerate and doubled ones.
+  std::size_t faces_before = 0;
+  std::size_t counted_faces = 0;   ///< the number without these, which stop policies count
+  std::size_t faces_after = 0;     ///< the faces of the result
+  std::size_t vertices_before = 0; ///< the vertices of the input, including isolated ones
+  std::size_t vertices_after = 0;  ///< the vertices of the result
 
   std::size_t contractions = 0;          ///< vertices merged into others
   std::size_t non_edge_contractions = 0; ///< contractions of two vertices without a common face
@@ -154,8 +155,8 @@ struct Report {
   /// The size of the largest removed component: the diagonal of its bounding box, in the mesh's
   /// units.
   double largest_vanished_component = 0;
-  std::size_t non_manifold_edges = 0;    ///< of the result: edges of at least three faces
-  std::size_t non_manifold_vertices = 0; ///< of the result: vertices whose faces form neither a
+  std::size_t non_manifold_edges = 0;    ///< edges of the result with at least three faces
+  std::size_t non_manifold_vertices = 0; ///< vertices of the result whose faces form neither a
                                          ///< disc nor half a disc
   std::size_t duplicated_vertices = 0;   ///< added to write a non-manifold result to a FaceGraph
   /// Input faces that were left out before the first contraction because another face has the same
@@ -209,7 +210,7 @@ struct Report {
   /// inside an oriented surface without boundary. For the result it is computed before coordinates
   /// are rounded to the mesh's number type.
   std::optional<double> volume_before;
-  std::optional<double> volume_after; ///< of the result
+  std::optional<double> volume_after; ///< the volume of the result
 
   /// The numbers of pairs of faces that intersect outside of their common vertices and edges.
   struct SelfIntersections {

@@ -55,7 +55,7 @@ struct Finding {
   std::string claim; ///< the claim in words
   double promised =
       0; ///< a distance in the unit of the surfaces, degrees, or a number of what is named
-  double measured = 0; ///< the same
+  double measured = 0; ///< the measured number
   double error = 0;    ///< the greatest possible error of the measured value
   /// Whether the claim is met: always if it is true, and never if the true value exceeds it by
   /// more than the error.
@@ -76,7 +76,7 @@ struct Verdict {
     return !is_cancelled && std::all_of(findings.begin(), findings.end(),
                                         [](const Finding& finding) { return finding.is_met; });
   }
-  explicit operator bool() const { return is_met(); } ///< the same as is_met()
+  explicit operator bool() const { return is_met(); } ///< equals is_met()
 };
 
 /// Prints a verdict in one line, without an end of line.

@@ -24,7 +24,7 @@ SoupChannelView::Kind kind_of(std::string_view word) {
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (kinds[i] == word)
       return static_cast<SoupChannelView::Kind>(i);
-  refuse_value("kind", '"' + std::string(word) + '"',
+  reject_value("kind", '"' + std::string(word) + '"',
                "one of texture, normals, colors, attributes");
 }
 

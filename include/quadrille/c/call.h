@@ -49,7 +49,7 @@ struct quadrille_call {
   std::atomic<bool> is_cancelled = false;
 
   quadrille::SoupResult result;
-  std::vector<std::int64_t> vertex_map; ///< of the result
+  std::vector<std::int64_t> vertex_map; ///< the vertex map of the result
   std::string report, report_text, error;
 
   /// Returns a channel. Throws std::out_of_range if there is none.

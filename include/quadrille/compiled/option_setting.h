@@ -32,7 +32,7 @@ inline bool is_in_range(double value, const char* range) {
          (*end == ')' ? value < high : value <= high);
 }
 
-[[noreturn]] inline void refuse_value(const std::string& name, const std::string& value,
+[[noreturn]] inline void reject_value(const std::string& name, const std::string& value,
                                       const std::string& what) {
   throw std::invalid_argument(name + " is " + value + ", not " + what);
 }
@@ -40,9 +40,9 @@ inline bool is_in_range(double value, const char* range) {
 /// Throws std::invalid_argument for a number that is out of range, or of the wrong kind.
 inline void check_number(const Option& option, double value, const std::string& place = {}) {
   if (!is_in_range(value, option.range))
-    refuse_value(option.name + place, text_of(value), "in " + std::string(option.range));
+    reject_value(option.name + place, text_of(value), "in " + std::string(option.range));
   if (option.kind == OptionKind::count && value != std::floor(value))
-    refuse_value(option.name + place, text_of(value), "an integer");
+    reject_value(option.name + place, text_of(value), "an integer");
 }
 
 inline const char* description(OptionKind kind) {
@@ -57,8 +57,8 @@ inline const char* description(OptionKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-[[noreturn]] inline void refuse_kind(const Option& option, const char* given) {
-  refuse_value(option.name, given, description(option.kind));
+[[noreturn]] inline void reject_kind(const Option& option, const char* given) {
+  reject_value(option.name, given, description(option.kind));
 }
 
 [[noreturn]] inline void reject_option(std::string_view name) {
@@ -81,13 +81,13 @@ void set_number(Options& options, std::string_view name, double value) {
     using Value = OptionValue<std::remove_reference_t<decltype(field)>>;
     if constexpr (std::is_same_v<Value, bool>) {
       if (value != 0 && value != 1)
-        refuse_value(option.name, text_of(value), description(option.kind));
+        reject_value(option.name, text_of(value), description(option.kind));
       field = value == 1;
     } else if constexpr (std::is_arithmetic_v<Value>) {
       check_number(option, value);
       field = static_cast<Value>(value);
     } else {
-      refuse_kind(option, "a number");
+      reject_kind(option, "a number");
     }
   });
   if (!is_known)
@@ -105,10 +105,10 @@ void set_word(Options& options, std::string_view name, std::string_view word) {
           field = static_cast<Value>(known.value);
           return;
         }
-      refuse_value(option.name, '"' + std::string(word) + '"',
+      reject_value(option.name, '"' + std::string(word) + '"',
                    "one of " + words_of(words_of<Options>(), name));
     } else {
-      refuse_kind(option, "a word");
+      reject_kind(option, "a word");
     }
   });
   if (!is_known)
@@ -129,7 +129,7 @@ void set_array(Options& options, std::string_view name, const Read& read) {
     } else if constexpr (std::is_same_v<Field, std::vector<bool>>) {
       field = read(bool{});
     } else {
-      refuse_kind(option, "an array");
+      reject_kind(option, "an array");
     }
   });
   if (!is_known)

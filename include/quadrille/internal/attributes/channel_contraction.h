@@ -88,7 +88,7 @@ public:
   /// The replacement for some wedges in a contraction.
   struct Change {
     WedgeMap map;     ///< about the target
-    WedgeList wedges; ///< that become it
+    WedgeList wedges; ///< the wedges that become it
     Index origin;     ///< see Channel::origin
   };
   using Changes = boost::container::small_vector<Change, 4>;

@@ -21,8 +21,8 @@ namespace quadrille::internal {
 
 /// A channel of the engine in the form that a recorder receives.
 struct ReportedChannel {
-  std::size_t number;   ///< of the channel of the call
-  Index first_wedge;    ///< what is added to the numbers of its wedges
+  std::size_t number;   ///< the number of the channel of the call
+  Index first_wedge;    ///< an offset that is added to the numbers of its wedges
   bool is_of_reverse;   ///< are its values those of reverse faces?
   bool has_wedges;      ///< or is its value a number of each vertex?
   std::size_t

@@ -99,7 +99,8 @@ struct ChunkResult {
   std::vector<std::array<Index, 3>> triangles;    ///< indices of `positions`
   std::vector<Index> faces;                       ///< the triangle of the chunk that each triangle
                                                   ///< was
-  std::vector<FaceBound> bounds; ///< of `triangles`; empty if the stop policy requires no distances
+  /// The bounds of `triangles`; empty if the stop policy requires no distances.
+  std::vector<FaceBound> bounds;
   /// The state of each position, in the engine's units, relative to the position. For a shared
   /// vertex that had been given a state, it is the amount that was added to that state. So the new
   /// state of a shared vertex is the given state, plus the sum over all chunks. It is empty if the
@@ -107,8 +108,8 @@ struct ChunkResult {
   std::vector<typename Cost::State> states;
   /// The values of each channel, by position; fixed vertices keep the bits of their values.
   std::vector<std::vector<double>> channels;
-  CostHistogram costs; ///< of the contractions, by keys in the engine's unit
-  Report report;       ///< of the chunk
+  CostHistogram costs; ///< the costs of the contractions, by keys in the engine's unit
+  Report report;       ///< the report of the chunk
 };
 
 /// Reads a chunk, and writes its result, in linear time.

@@ -73,7 +73,7 @@ struct LimitInChunk {
   static constexpr Needs needs = needs_of<Limit>();
 
   Limit limit;
-  double diagonal; ///< of the whole surface
+  double diagonal; ///< the diagonal of the whole surface
 
   Needs needs_now() const { return internal::needs_now(limit); }
   bool operator()(Status status) const {

@@ -41,7 +41,7 @@ public:
 
   struct Measured {
     double distance;
-    Vector<3> place; ///< where it was found
+    Vector<3> place; ///< the point at which it was found
   };
   /// Returns the greatest distance of a point of the input to the result; beyond the tolerance of
   /// its face, if that has one. The value is at most the true one and less than it by at most

@@ -35,7 +35,7 @@ public:
     }
   }
 
-  std::uint64_t size() const { return size_; } ///< of the set
+  std::uint64_t size() const { return size_; } ///< the size of the set
   std::uint64_t operator()(VertexId id) const {
     const std::size_t word = id / 64;
     std::uint64_t rank = before_[word / 8];

@@ -26,7 +26,7 @@ namespace quadrille::internal {
 /// The size of an input, according to its header and its file size.
 struct InputSize {
   std::uint64_t vertices = 0, faces = 0;
-  std::size_t scalars = 0; ///< of each vertex
+  std::size_t scalars = 0; ///< the scalars of each vertex
   bool has_labels = false;
   std::uint64_t row = 12;   ///< bytes of a vertex in the output
   std::uint64_t making = 0; ///< bytes on the disk while a surface is made from a soup or from tiles

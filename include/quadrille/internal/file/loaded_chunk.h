@@ -27,11 +27,11 @@ struct LoadedChunk {
   std::vector<VertexId> ids;
   std::vector<Vector<3>> positions;
   std::vector<bool> is_shared;
-  std::vector<double> scalars; ///< of the vertices, one row after another, or empty
+  std::vector<double> scalars; ///< the scalars of the vertices, one row after another, or empty
   std::vector<char> states;    ///< `state_size` bytes each; empty in the first phase
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<std::uint32_t> labels;            ///< of the triangles, or empty
-  std::vector<FaceBound> bounds;                ///< of the triangles, or empty
+  std::vector<std::uint32_t> labels;            ///< the labels of the triangles, or empty
+  std::vector<FaceBound> bounds;                ///< the bounds of the triangles, or empty
   std::vector<std::array<Index, 2>> boundaries; ///< see TrueBoundaries
 
   /// Reads chunk `chunk` of a phase. Throws for files that are not the ones that were written.

@@ -27,7 +27,7 @@ class SharedStates {
 public:
   SharedStates(std::size_t size, AddState add_state) : size_(size), add_(add_state) {}
 
-  std::size_t size() const { return size_; } ///< of a state, in bytes
+  std::size_t size() const { return size_; } ///< the size of a state, in bytes
 
   /// Adds the chunks in ascending order.
   void add(const Survivors& chunk) {

@@ -24,8 +24,8 @@ namespace quadrille::internal {
 /// The files from which a chunk of a phase is read.
 struct ChunkFiles {
   FileContent vertices, faces;
-  FileContent labels = {};   ///< of the faces; empty if there are none
-  FileContent bounds = {};   ///< of the faces; empty if their distances are unknown
+  FileContent labels = {};   ///< the labels of the faces; empty if there are none
+  FileContent bounds = {};   ///< the bounds of the faces; empty if their distances are unknown
   std::uint64_t doubled = 0; ///< faces that repeat an earlier one, which do not count
 
   std::uint64_t face_count() const { return faces.size / sizeof(FaceRow) - doubled; }
@@ -33,7 +33,7 @@ struct ChunkFiles {
 
 /// The facts about the input.
 struct InputFacts {
-  std::uint64_t vertices = 0, faces = 0; ///< of the file
+  std::uint64_t vertices = 0, faces = 0; ///< the counts of the file
   std::uint64_t counted_faces = 0;       ///< faces with three different corners, once each
   std::uint64_t doubled_faces = 0;       ///< faces that repeat an earlier one with the same
                                          ///< orientation
@@ -41,17 +41,17 @@ struct InputFacts {
   std::uint64_t unused_not_finite = 0;   ///< vertices
   MadeCounts made;
   bool has_doubles = false;
-  FileBox box;         ///< of the used vertices
-  ScalarRanges ranges; ///< of the used vertices
+  FileBox box;         ///< the box of the used vertices
+  ScalarRanges ranges; ///< the ranges of the used vertices
 };
 
 /// The plan of a phase that may begin: each of its chunks exists, and the results depend on nothing
 /// else. It is written as a whole after all other files of the phase, and again when the limit of
 /// its costs has been found.
 struct PhasePlan {
-  std::uint64_t key = 0;          ///< of the job: see JobKey
+  std::uint64_t key = 0;          ///< the key of the job: see JobKey
   unsigned phase = 0;             ///< from 1 on
-  unsigned step = 0;              ///< of the schedule
+  unsigned step = 0;              ///< the step of the schedule
   unsigned attempt = 0;           ///< above 0: the phase had removed too much, and is repeated
   bool is_last = false;           ///< one chunk, which is simplified to the target itself
   bool is_exact = false;          ///< each chunk contributes its share of the excess faces
@@ -68,11 +68,14 @@ struct PhasePlan {
   std::uint64_t first_chunks = 0;                  ///< chunks of the first phase
   std::uint64_t first_shared = 0;                  ///< vertices that several of them had
   std::uint64_t bytes_read = 0, bytes_written = 0; ///< so far
-  std::uint64_t contractions = 0;                  ///< of the phases that have ended
+  /// The contractions of the phases that have ended.
+  std::uint64_t contractions = 0;
   double error = 0;                                ///< the greatest of these phases
-  double greatest_tolerance = 0; ///< of the input, after the first phase; 0 if there are none
-  std::array<std::uint64_t, rejection_causes> rejections{}; ///< of these phases
-  std::vector<std::uint64_t> faces_after_phases = {};       ///< of the phases that have ended
+  /// The greatest tolerance of the input, after the first phase; 0 if there are none.
+  double greatest_tolerance = 0;
+  std::array<std::uint64_t, rejection_causes> rejections{}; ///< the rejections of these phases
+  /// A count for each phase that has ended.
+  std::vector<std::uint64_t> faces_after_phases = {};
 
   void write(const std::filesystem::path& path) const {
     std::ostringstream text;

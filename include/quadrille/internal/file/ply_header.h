@@ -80,7 +80,7 @@ double ply_number(const PlyType& type, const char* bytes) {
 struct PlyProperty {
   std::string name;
   PlyType type;
-  std::optional<PlyType> count_type; ///< of a list
+  std::optional<PlyType> count_type; ///< the count type of a list
 
   bool is_list() const { return count_type.has_value(); }
 };

@@ -67,7 +67,7 @@ public:
     return source;
   }
 
-  std::uint64_t key() const { return key_; } ///< of its content
+  std::uint64_t key() const { return key_; } ///< the key of its content
   /// The size as far as it is known before anything is read.
   const InputSize& size() const { return size_; }
   /// The numbers of vertices in addition to their positions, which are simplified with them.

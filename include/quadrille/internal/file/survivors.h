@@ -25,7 +25,7 @@ struct ChunkCounters {
   std::array<std::uint64_t, rejection_causes> rejections{};
   double error = 0, seconds = 0;
   double distance_bound = 0, hausdorff_bound = 0;
-  double greatest_tolerance = 0; ///< of the input, as far as the chunk knows
+  double greatest_tolerance = 0; ///< the greatest tolerance of the input, as far as the chunk knows
   double used_tolerance = -1;    ///< as in Report; below 0 if it is unknown
   std::array<double, 3> place_of_used{};
   std::uint32_t stop = 0; ///< a StopReason
@@ -53,7 +53,7 @@ struct ChunkCounters {
 /// The beginning of a file of survivors. It is all zeros until the file is finished.
 struct SurvivorsHeader {
   std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '4'};
-  std::uint64_t key = 0; ///< of the job
+  std::uint64_t key = 0; ///< the key of the job
   std::uint64_t phase = 0, chunk = 0;
   std::uint64_t vertices = 0, faces = 0;
   std::uint64_t scalars = 0;    ///< per vertex, after the vertices
@@ -62,7 +62,7 @@ struct SurvivorsHeader {
   std::uint64_t bounds = 0;     ///< one for each face, or none
   std::uint64_t given = 0;      ///< vertices whose state before the phase is stored, after the
                                 ///< states
-  std::uint64_t checksum = 0;   ///< of all that follows
+  std::uint64_t checksum = 0;   ///< the checksum of all that follows
   ChunkCounters counters = {};
 
   std::uint64_t content_size() const {
@@ -79,9 +79,9 @@ static_assert(std::is_trivially_copyable_v<SurvivorsHeader>);
 struct Survivors {
   std::vector<VertexRow> vertices;
   std::vector<FaceRow> faces;
-  std::vector<double> scalars = {};       ///< of the vertices, or empty
-  std::vector<std::uint32_t> labels = {}; ///< of the faces, or empty
-  std::vector<FaceBound> bounds = {};     ///< of the faces, or empty
+  std::vector<double> scalars = {};       ///< the scalars of the vertices, or empty
+  std::vector<std::uint32_t> labels = {}; ///< the labels of the faces, or empty
+  std::vector<FaceBound> bounds = {};     ///< the bounds of the faces, or empty
   std::vector<char> states = {};
   std::vector<std::uint64_t> given = {};
   std::vector<char> given_states = {};

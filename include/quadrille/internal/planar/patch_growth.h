@@ -18,7 +18,7 @@ namespace quadrille::internal {
 /// A region of a surface whose faces are connected across edges and lie in one plane.
 struct PlanarPatch {
   std::vector<Index> faces; ///< ascending
-  Vector<3> normal;         ///< of length 1; 0 for a single face without area
+  Vector<3> normal;         ///< a vector of length 1; 0 for a single face without area
 };
 
 /// Finds planar patches by growing each from the largest remaining face.

@@ -42,7 +42,7 @@ public:
 
   struct Measured {
     double distance;
-    Vector<3> place; ///< where it was found
+    Vector<3> place; ///< the point at which it was found
   };
 
   /// Returns the greatest distance of a point of an input face to the result, beyond the face's

@@ -39,7 +39,8 @@ public:
   }
 
   Index mate(Index side) const { return mate_[side]; }         ///< or none
-  Index vertex(Index corner) const { return vertex_[corner]; } ///< of a corner, 3·face + k
+  /// The vertex of a corner, 3·face + k.
+  Index vertex(Index corner) const { return vertex_[corner]; }
   bool is_on_boundary(Index vertex) const { return boundary_[vertex].first_out != none; }
 
   /// The vertex that each duplicate is one of: vertex_count + i duplicates duplicates()[i].

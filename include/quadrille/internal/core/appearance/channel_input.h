@@ -39,7 +39,8 @@ struct ChannelInput {
   /// The values of each input face, in the order of its corners; empty: a value has the index of
   /// its vertex.
   Array<std::array<Index, 3>> corners;
-  std::vector<double> weights; ///< of the components, in the mesh's unit; empty: by default
+  /// The weights of the components, in the mesh's unit; empty: by default.
+  std::vector<double> weights;
   double importance = 1;
   Seams seams = Seams::priced;
   Attribute attribute = Attribute::any;

@@ -23,7 +23,7 @@ namespace quadrille::internal {
 /// By what names a complaint about indices calls things.
 struct IndexWords {
   const char* caller;
-  const char* name = "point"; ///< of what an index stands for
+  const char* name = "point"; ///< the word for the thing that an index stands for
   const char* of_what = "";
 };
 

@@ -285,7 +285,7 @@ std::optional<Topology> pick_topology([[maybe_unused]] const Arguments&... argum
     return std::nullopt;
 }
 
-/// Refuses to compile a call with two arguments where one is meant.
+/// Rejects, at compile time, a call with two arguments where one is meant.
 template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
 constexpr void check_counts() {
   static_assert(count_of<Kind::cost, Cost, Arguments...> <= 1,

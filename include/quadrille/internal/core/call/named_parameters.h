@@ -126,9 +126,9 @@ auto pick_attributes(const NamedParameters& named) {
   }
 }
 
-/// Refuses to compile a call with points that cannot be read, or with geom_traits that are not of
-/// them. Traits that are say nothing that the points do not: all is computed with their coordinates
-/// as doubles.
+/// Rejects, at compile time, a call with points that cannot be read, or with geom_traits that are
+/// not of them. Traits that are say nothing that the points do not: all is computed with their
+/// coordinates as doubles.
 template <class Point, class NamedParameters>
 constexpr void check_points() {
   static_assert(
@@ -151,8 +151,8 @@ using ConcurrencyTag = CGAL::internal_np::concurrency_tag_t;
 struct ConcurrencyTag {}; // there is none
 #endif
 
-/// Refuses to compile a call with named parameters that are neither among `Read` nor read by the
-/// cost nor harmless.
+/// Rejects, at compile time, a call with named parameters that are neither among `Read` nor read by
+/// the cost nor harmless.
 template <class Cost, class NamedParameters, class... Read>
 constexpr void check_named(Names<Read...>) {
   namespace np = CGAL::internal_np;

@@ -11,19 +11,19 @@
 namespace quadrille::internal {
 
 /// Which faces have a reverse face: another face of the input on the same vertices, the other way
-/// round. Only the front is in the surface, and the back goes wherever the front goes.
+/// round. Only the forward face is in the surface, and its reverse goes wherever it goes.
 ///
-/// Corner i of a reverse face is at corner (p − i) mod 3 of its front, for a p of 0, 1 or 2, and as
-/// long as the front is there: contractions keep the order of its corners.
+/// Corner i of a reverse face is at corner (p − i) mod 3 of its forward face, for a p of 0, 1 or 2,
+/// and as long as that is there: contractions keep the order of its corners.
 class ReverseFaces {
 public:
-  ReverseFaces() = default; ///< of no face
-  /// `of`: of each face 4·back + p, the back by its input index; or none.
+  ReverseFaces() = default; ///< No face has a reverse.
+  /// `of` has for each face 4·r + p, where r is the input index of its reverse; or none.
   explicit ReverseFaces(Array<Index> of) : of_(std::move(of)) {}
 
   bool is_empty() const { return of_.empty(); }
   bool has(Index face) const { return !is_empty() && of_[face] != none; }
-  /// The input index of the back that a face has.
+  /// Returns the input index of the reverse that a face has.
   Index input_face(Index face) const { return of_[face] >> 2; }
   /// Returns where a corner of the face is in its reverse, and the other way round.
   std::size_t opposite(Index face, std::size_t corner) const {

@@ -57,7 +57,7 @@ struct TopologyCount {
 };
 
 /// Is a vertex that has faces with reverse faces neither a disc nor half a disc around? It is a
-/// disc where a face is alone with its back. Edges of more than two faces, reverse faces being
+/// disc where a face is alone with its reverse. Edges of more than two faces, reverse faces being
 /// such, are counted.
 inline bool is_non_manifold_with_reverse_faces(const TriangleComplex& complex, Index v,
                                                TopologyCount& count) {

@@ -35,7 +35,8 @@ public:
     label_[vertex] = (std::max)(label_[vertex], base_);
     return is_new;
   }
-  Index operator[](Index vertex) const { return label_[vertex] - base_; } ///< of a labelled vertex
+  /// The label of a labelled vertex.
+  Index operator[](Index vertex) const { return label_[vertex] - base_; }
   void set(Index vertex, Index number = 0) { label_[vertex] = base_ + number; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&label_[vertex]); }

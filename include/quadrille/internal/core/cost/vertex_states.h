@@ -181,7 +181,7 @@ private:
 template <class State>
 struct GivenStates {
   std::vector<State> states;
-  std::vector<bool> is_given; ///< of each; empty: all are
+  std::vector<bool> is_given; ///< has a value for each; empty: all are given
 
   bool has(std::size_t vertex) const {
     return !states.empty() && (is_given.empty() || is_given[vertex]);

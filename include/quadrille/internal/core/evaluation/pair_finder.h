@@ -33,7 +33,7 @@ public:
   bool has_others() const { return listed_.size() > 0; }
   /// Are they the edges, all of them and no others?
   bool are_edges() const { return includes_edges_ && !has_others(); }
-  /// About, of a surface with that many faces and vertices. Backs of faces have none of their own.
+  /// About, of a surface with that many faces and vertices. Reverse faces have none of their own.
   std::size_t count(std::size_t faces, std::size_t vertices) const {
     if (!complex_.reverse_faces().is_empty())
       faces = (std::min)(faces, 2 * vertices);

@@ -30,8 +30,10 @@ struct SurfaceInput {
   Array<Vector<N>> positions; ///< with attributes, all in the mesh's units
   Array<TriangleComplex::Triangle> triangles;
   Array<Index> input_vertices, input_faces;  ///< see InputIndices
-  std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
-  std::vector<double> importances;           ///< of each vertex; empty if all count alike
+  /// Has a value for each vertex; empty if none is fixed.
+  std::vector<bool> is_fixed;
+  /// The importances of each vertex; empty if all count alike.
+  std::vector<double> importances;
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
   std::vector<bool>
       is_shared; ///< see SharedVertices; empty if none is; such vertices are fixed, too
@@ -40,7 +42,7 @@ struct SurfaceInput {
   std::optional<Box<N>> given_box;
   /// Are the coordinates of the result floats once they are written?
   bool writes_floats = false;
-  Array<Index> labels; ///< of each face, small numbers; empty if there are none
+  Array<Index> labels; ///< the labels of each face, small numbers; empty if there are none
   /// May each input face be changed? The corners of others are fixed. Empty if all may.
   std::vector<bool> is_selected;
   /// The tolerance of each vertex, in the mesh's units; empty if there are none. See

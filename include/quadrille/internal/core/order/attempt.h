@@ -26,9 +26,9 @@ enum class Outcome {
 /// An outcome, with its data.
 struct Attempt {
   Outcome outcome = Outcome::contracted;
-  Rejection cause = {}; ///< where it was rejected
-  double key = 0;       ///< what it costs, by which pairs are ordered
-  double error = 0;     ///< of the contraction, where it was rejected
+  Rejection cause = {}; ///< the cause, if it was rejected
+  double key = 0;       ///< the cost by which pairs are ordered
+  double error = 0;     ///< the error of the contraction, if it was rejected
 
   static Attempt put_back(float key) { return {Outcome::put_back, {}, static_cast<double>(key)}; }
   static Attempt deferred(double key) { return {Outcome::deferred, {}, key}; }

@@ -187,7 +187,8 @@ template <class Cost_, class Placement_, bool has_channels_>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
-  static constexpr bool has_channels = has_channels_; ///< of attributes in addition to the shape
+  /// Channels carry attributes in addition to the shape.
+  static constexpr bool has_channels = has_channels_;
 
   Cost cost;
   Placement placement;

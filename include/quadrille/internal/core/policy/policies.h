@@ -140,8 +140,8 @@ struct PairCurrentOf<Cost> {
 template <class Cost>
 struct PairOf : IndicesFor<Cost> {
   Vector<Cost::dimension> first, second;
-  typename Cost::State state; ///< of both ends, about `first`
-  double squared_ring_radius = 0; ///< of the distance from an end to its farthest neighbour, as
+  typename Cost::State state;     ///< the state of both ends, about `first`
+  double squared_ring_radius = 0; ///< the distance from an end to its farthest neighbour, as
                                   ///< each end had it when it took its place
   QUADRILLE_NO_UNIQUE_ADDRESS
   typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it

@@ -12,7 +12,8 @@
 namespace quadrille::internal {
 
 /// Returns the value of at(face, corner, is_reverse) for each corner of each input face; a reverse
-/// face is described by its front and the corner of that. `none` for faces that do not exist.
+/// face is described by its forward face and the corner of that. `none` for faces that do not
+/// exist.
 template <class At>
 std::vector<std::array<Index, 3>> corners_by_input_face(const TriangleComplex& complex,
                                                         const InputIndices& faces, At at) {

@@ -269,7 +269,7 @@ private:
     return memory;
   }
 
-  // The input index of a face, and that of its back.
+  // The input index of a face, and that of its reverse.
   void add_inputs(Index face, auto& faces) const {
     faces.push_back(state_.numbering.faces[face]);
     if (state_.complex.reverse_faces().has(face))

@@ -102,7 +102,7 @@ std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
 /// The feature loss of a contraction: see feature_loss_of.
 struct FeatureLoss {
   double displacement; ///< in the engine's unit; 0 where the surface is not thin
-  double error; ///< of the contraction, with that, in the mesh's unit: see Report::error
+  double error; ///< the error of the contraction, with that, in the mesh's unit: see Report::error
 };
 
 /// The event that observers of the surface receive before a contraction and after it: it names the

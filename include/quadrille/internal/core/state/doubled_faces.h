@@ -163,8 +163,8 @@ private:
     partner_[other] = face;
   }
 
-  // Fronts are oriented like their neighbours, as far as possible: first like those without a
-  // reverse, which have no choice, then like the first double-sided face.
+  // Forward faces are oriented like their neighbours, as far as possible: first like those without
+  // a reverse, which have no choice, then like the first double-sided face.
   void choose_forward_faces(const InputIndices& inputs) {
     Array<Index> reverse(complex_.face_capacity(), none, complex_.arena());
     is_chosen_.assign(complex_.face_capacity(), false);
@@ -224,7 +224,7 @@ private:
     return halves == 4 ? beyond : none;
   }
 
-  // Returns the corner of a front that is at the first vertex of its reverse.
+  // Returns the corner of a forward face that is at the first vertex of its reverse.
   Index place_of_first(Index forward, Index reverse) const {
     const auto& corners = complex_.vertices(forward);
     return static_cast<Index>(

@@ -112,7 +112,8 @@ public:
     return QuadricForm<N>(a, g, length_of_mesh(length_of_mesh(form.constant() / weight)));
   }
 
-  double diagonal() const { return diagonal_; } ///< of the bounding box, in the mesh's unit
+  /// The diagonal of the bounding box, in the mesh's unit.
+  double diagonal() const { return diagonal_; }
 
   /// By which lengths would be multiplied if the cost were scale-free.
   int exponent() const { return exponent_; }

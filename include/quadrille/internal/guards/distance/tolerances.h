@@ -72,7 +72,8 @@ public:
   }
 
   bool are_given() const { return of_face_.size() > 0; }
-  double greatest() const { return greatest_; } ///< of all faces of the input
+  /// The greatest tolerance of all faces of the input.
+  double greatest() const { return greatest_; }
   double operator[](Index face) const { return static_cast<double>(of_face_[face]); }
 
   double least(const PairStar& star) const {
