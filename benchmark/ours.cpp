@@ -6,10 +6,9 @@
 
 #include <quadrille/cluster.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/guards.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/normal_deviation.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 
 namespace bench {

@@ -4,9 +4,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <iostream>
+#include <quadrille/guards.h>
 #include <quadrille/hull.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <string>
 

@@ -3,7 +3,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <iostream>
-#include <quadrille/level_mesh.h>
+#include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 #include <quadrille/record.h>
 #include <quadrille/simplify.h>

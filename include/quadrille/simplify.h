@@ -48,11 +48,9 @@ inline namespace QUADRILLE_THREADING {
 /// - an order: GreedyOrder{} by default, or RelaxedOrder or AnyOrder of
 ///   <quadrille/relaxed_order.h>
 /// - FilterPolicy, any number: contractions to reject; NormalFlip{90} unless another one is given
-/// - guards, any number, each with a header of its own: NoSelfIntersection, of
-///   <quadrille/self_intersection.h>: no faces come to intersect; KeepSolid{}, of
-///   <quadrille/self_intersection.h>: a closed solid stays one; NormalDeviation, of
-///   <quadrille/normal_deviation.h>: normals stay within an angle of the input's; or a GuardPolicy
-///   of the user's
+/// - guards, any number, of <quadrille/guards.h>: NoSelfIntersection: no faces come to intersect;
+///   KeepSolid{}: a closed solid stays one; NormalDeviation: normals stay within an angle of the
+///   input's; or a GuardPolicy of the user's
 /// - Labels: labels of faces, whose regions are preserved
 /// - Texture, Normals, Colors, Attributes, of <quadrille/channels.h>, any number: channels of
 ///   attributes; SplitVertices, for a soup

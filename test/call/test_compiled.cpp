@@ -4,11 +4,10 @@
 #include <quadrille/compiled.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
+#include <quadrille/guards.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/normal_deviation.h>
 #include <quadrille/parameters.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

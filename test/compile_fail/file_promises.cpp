@@ -1,9 +1,8 @@
 // Promises of the whole surface, of a file in parts.
 #include <quadrille/file.h>
+#include <quadrille/guards.h>
 #include <quadrille/hull.h>
 #include <quadrille/levels.h>
-#include <quadrille/normal_deviation.h>
-#include <quadrille/self_intersection.h>
 
 #include <cstddef>
 

@@ -1,8 +1,8 @@
 // Faces kept apart, in passes.
 #include "surfaces.h"
 
+#include <quadrille/guards.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 
 int main() {
   using namespace quadrille;

@@ -8,7 +8,7 @@
 #include <quadrille/file.h>
 #include <quadrille/filters.h>
 #include <quadrille/guard.h>
-#include <quadrille/volume_keeping.h>
+#include <quadrille/placement.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,6 +2,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/guards.h>
 #include <quadrille/internal/core/surface/box_tree.h>
 #include <quadrille/internal/guards/intersection/face_sides.h>
 #include <quadrille/internal/guards/intersection/flat_fan.h>
@@ -11,7 +12,6 @@
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/parameters.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>

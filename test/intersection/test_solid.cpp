@@ -5,10 +5,10 @@
 #include "winding_number.h"
 
 #include <quadrille/distance_limits.h>
+#include <quadrille/guards.h>
 #include <quadrille/hull.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>

@@ -6,7 +6,6 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
-#include <quadrille/level_mesh.h>
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>

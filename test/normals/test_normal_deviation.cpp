@@ -5,15 +5,14 @@
 #include "soups.h"
 
 #include <quadrille/edge_length.h>
+#include <quadrille/guards.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/guards/normals/face_cones.h>
 #include <quadrille/internal/guards/normals/normal_cone.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/normal_deviation.h>
 #include <quadrille/quadric.h>
 #include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -2,12 +2,12 @@
 #include "soups.h"
 
 #include <quadrille/edge_length.h>
+#include <quadrille/guards.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/parameters.h>
+#include <quadrille/placement.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
-#include <quadrille/volume_keeping.h>
 
 #include <catch2/catch.hpp>
 

@@ -8,9 +8,9 @@
 #include "soups.h"
 
 #include <quadrille/distance_limits.h>
+#include <quadrille/guards.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/verify.h>
 

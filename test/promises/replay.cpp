@@ -8,8 +8,8 @@
 #include "point_replay.h"
 
 #include <quadrille/distance_limits.h>
+#include <quadrille/guards.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/normal_deviation.h>
 #include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>

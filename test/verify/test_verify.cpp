@@ -5,11 +5,10 @@
 #include "soups.h"
 
 #include <quadrille/distance_limits.h>
+#include <quadrille/guards.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/normal_deviation.h>
 #include <quadrille/parameters.h>
 #include <quadrille/quadric.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/verify.h>
 

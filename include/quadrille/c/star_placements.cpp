@@ -4,7 +4,7 @@
 #include <quadrille/hull.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
-#include <quadrille/volume_keeping.h>
+#include <quadrille/placement.h>
 
 namespace quadrille::internal {
 

@@ -7,13 +7,12 @@
 #include <quadrille/compiled/soup_maps.h>
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/guards.h>
 #include <quadrille/internal/core/policy/built_in_placement.h>
-#include <quadrille/normal_deviation.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -137,7 +137,7 @@ def simplify(
                      replaces, in (0, 180)
     no_self_intersection  no faces intersect that did not intersect in the input; for 'greedy', takes
                      several times as long
-    keep_solid       a closed solid stays one; the input has to be one, see self_intersection.h; for 'greedy'
+    keep_solid       a closed solid stays one; the input has to be one, see guards.h; for 'greedy'
     keep_volume      the enclosed volume stays the same; for 'greedy', with 'memoryless_quadric'
     hull             'outer' (the result encloses the closed surface) or 'inner' (the surface encloses the
                      result); for 'greedy', with 'memoryless_quadric'
