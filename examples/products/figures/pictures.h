@@ -203,8 +203,8 @@ template <class Mesh, class QuadricMap>
 requires quadrille::internal::ReadableGraph<Mesh>
 auto quadric_ellipsoids(const Mesh& mesh, const QuadricMap& quadrics, const EllipsoidShape& shape) {
   const auto points = get(CGAL::vertex_point, mesh);
-  using Point = typename boost::property_traits<decltype(points)>::value_type;
-  pictures::EllipsoidMaker<Point> maker(shape);
+  pictures::EllipsoidMaker<typename boost::property_traits<decltype(points)>::value_type> maker(
+      shape);
   for (const auto v : vertices(mesh))
     maker.add(get(points, v), get(quadrics, v));
   return maker.ellipsoids;
