@@ -76,7 +76,7 @@ struct LabelledMesh {
 
   // Every label, taken along by the contractions, is what it labels.
   void require_labels_right(const test::Reference& reference) const {
-    const auto merged_vertex = [&](Vertex v) { return reference.merged_vertex(v); };
+    const auto merged_vertex = [&](Vertex v) { return reference.image(v); };
     for (const auto v : mesh.vertices())
       REQUIRE(merged_vertex(vertex[v]) == vertex[v]);
     for (const auto h : mesh.halfedges()) {
