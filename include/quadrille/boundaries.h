@@ -1,8 +1,9 @@
 #ifndef QUADRILLE_BOUNDARIES_H
 #define QUADRILLE_BOUNDARIES_H
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/internal/core/base/function_name.h>
-#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/thinned_line.h>
 #include <quadrille/internal/planar/boundary_lines.h>
 #include <quadrille/pairs.h>
@@ -12,7 +13,7 @@
 #include <quadrille/simplify.h>
 
 #include <cstddef>
-#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,14 +25,15 @@ namespace internal {
 /// when pairs are selected, and the policies that share it read it.
 class ThinnedBoundaries {
 public:
-  explicit ThinnedBoundaries(double tolerance) : tolerance_(tolerance) {}
+  explicit ThinnedBoundaries(const DistanceLimit& limit) : limit_(limit) {}
 
   void select(const SurfaceView& surface, const EmitPair& emit) {
     goes_.assign(surface.points.size(), false);
     count_ = 0;
+    const double tolerance = limit_.distance(Box<3>(surface.points).diagonal());
     const BoundaryLines boundaries(surface);
     for (const std::vector<Index>& line : boundaries.lines()) {
-      const std::vector<bool> stays = ThinnedLine::of(surface.points, line, tolerance_);
+      const std::vector<bool> stays = ThinnedLine::of(surface.points, line, tolerance);
       for (std::size_t i = 1; i + 1 < line.size(); ++i) {
         if (stays[i])
           continue;
@@ -46,7 +48,7 @@ public:
   std::size_t count() const { return count_; }
 
 private:
-  double tolerance_;
+  DistanceLimit limit_;
   std::vector<bool> goes_;
   std::size_t count_ = 0;
 };
@@ -95,11 +97,9 @@ struct ThinnedBoundaryStop {
 
 /// Calls run(policies...) with the policies that simplify the boundary.
 template <class Run>
-Report thin_boundaries(double tolerance, Run run) {
-  if (!(tolerance >= 0))
-    throw std::invalid_argument("quadrille::simplify_boundaries: the tolerance " +
-                                text_of(tolerance) + " is not a distance");
-  ThinnedBoundaries boundaries(tolerance);
+Report thin_boundaries(const DistanceLimit& limit, Run run) {
+  limit.validate();
+  ThinnedBoundaries boundaries(limit);
   return in_name_of("simplify_boundaries", [&] {
     return run(Quadric{}, ThinnedBoundaryPlacement{&boundaries}, ThinnedBoundaryPairs{&boundaries},
                ThinnedBoundaryStop{&boundaries}, ThinnedBoundaryFilter{&boundaries},
@@ -118,10 +118,11 @@ inline namespace QUADRILLE_THREADING {
 ///
 /// The boundary is cut into lines at constrained vertices and at vertices that do not have exactly
 /// two boundary edges; constrain the vertices at which a third tile begins. A line keeps the
-/// vertices that are needed so that no removed vertex is further from it than `tolerance`, in the
-/// mesh's units (Douglas and Peucker). The other vertices are contracted into their neighbours
-/// along the boundary. A loop without constrained vertices keeps at least three. Inner vertices and
-/// the boundary vertices that are left do not move.
+/// vertices that are needed so that no removed vertex is further from it than `limit` (Douglas and
+/// Peucker). A relative limit is a fraction of the diagonal of this surface: adjacent tiles need
+/// the same distance. The other vertices are contracted into their neighbours along the boundary. A
+/// loop without constrained vertices keeps at least three. Inner vertices and the boundary vertices
+/// that are left do not move.
 ///
 /// The other arguments are those of simplify except cost, placement, pairs, stop and topology:
 /// filters, channels, labels, an order and named parameters. The topology is kept.
@@ -130,24 +131,34 @@ inline namespace QUADRILLE_THREADING {
 /// contractions (Report::rejections counts them): constrain these vertices in all tiles, or relax
 /// the filters.
 ///
-/// The expected time is O(n log n). Throws std::invalid_argument for a tolerance that is negative
-/// or not a number, and whatever simplify throws.
+/// The expected time is O(n log n). Throws std::invalid_argument for a limit that is negative or
+/// not a number, and whatever simplify throws.
 template <class Mesh, class... Arguments>
-requires internal::FaceGraph<Mesh> Report simplify_boundaries(Mesh& mesh, double tolerance,
+requires internal::FaceGraph<Mesh> Report simplify_boundaries(Mesh& mesh,
+                                                              const DistanceLimit& limit,
                                                               const Arguments&... arguments) {
-  return internal::thin_boundaries(tolerance, [&](const auto&... policies) {
-    return simplify(mesh, policies..., arguments...);
-  });
+  return internal::thin_boundaries(
+      limit, [&](const auto&... policies) { return simplify(mesh, policies..., arguments...); });
 }
 
 /// Simplifies the open boundary of a polygon soup, which it takes as simplify does.
 template <class Points, class Triangles, class... Arguments>
-Report simplify_boundaries(Points&& points, Triangles&& triangles, double tolerance,
+Report simplify_boundaries(Points&& points, Triangles&& triangles, const DistanceLimit& limit,
                            const Arguments&... arguments) {
-  return internal::thin_boundaries(tolerance, [&](const auto&... policies) {
+  return internal::thin_boundaries(limit, [&](const auto&... policies) {
     return simplify(std::forward<Points>(points), std::forward<Triangles>(triangles), policies...,
                     arguments...);
   });
+}
+
+/// Rejects, at compile time, a number in the place of the limit.
+template <class... Arguments>
+requires(std::is_arithmetic_v<std::remove_cvref_t<Arguments>> || ...) Report
+    simplify_boundaries(Arguments&&...) {
+  static_assert(sizeof...(Arguments) == 0,
+                "A number does not say what it limits: write DistanceLimit{0.1} or "
+                "DistanceLimit::relative(0.001).");
+  return {};
 }
 
 } // namespace QUADRILLE_THREADING

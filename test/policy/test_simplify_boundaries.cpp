@@ -2,6 +2,7 @@
 #include "meshes.h"
 
 #include <quadrille/boundaries.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/filters.h>
 
 #include <CGAL/property_map.h>
@@ -107,7 +108,7 @@ ThinnedTile thinned_tile(Soup soup, double begin, double end) {
   std::vector<char> fixed = corners(soup, begin, end);
   const HeightField field;
   ThinnedTile result;
-  result.report = simplify_boundaries(soup.points, soup.triangles, tolerance, field,
+  result.report = simplify_boundaries(soup.points, soup.triangles, DistanceLimit{tolerance}, field,
                                       NormalFlip{180}, constrained(fixed));
   result.boundaries_only = soup;
   fixed = on_boundary(soup);
@@ -149,8 +150,8 @@ TEST_CASE("Inner vertices stay as they are, and so do constrained ones and ends 
   std::vector<char> fixed = corners(soup, 0, 0.75);
   fixed[97 * 50] = true; // of the border at x = 0
   const Soup before = soup;
-  const Report report = simplify_boundaries(soup.points, soup.triangles, 0.05, HeightField{},
-                                            NormalFlip{180}, constrained(fixed));
+  const Report report = simplify_boundaries(soup.points, soup.triangles, DistanceLimit{0.05},
+                                            HeightField{}, NormalFlip{180}, constrained(fixed));
   CHECK(report.stop == StopReason::target_met);
   std::set<std::array<double, 3>> left;
   for (const Position& p : soup.points)
@@ -173,7 +174,8 @@ TEST_CASE("Inner vertices stay as they are, and so do constrained ones and ends 
 TEST_CASE("A loop keeps three vertices, a straight line its ends") {
   for (const double far : {0.0, 10.0}) {
     Soup tube = open_cylinder(24, 40);
-    const Report report = simplify_boundaries(tube.points, tube.triangles, far, NormalFlip{180});
+    const Report report =
+        simplify_boundaries(tube.points, tube.triangles, DistanceLimit{far}, NormalFlip{180});
     CHECK(report.stop == StopReason::target_met);
     CHECK(topology_of(tube).boundary_edges == (far > 0 ? 6 : 48));
     CHECK(topology_of(tube).boundary_loops == 2);
@@ -181,7 +183,8 @@ TEST_CASE("A loop keeps three vertices, a straight line its ends") {
   Soup square = grid(16, 16);
   std::vector<char> fixed = corners(square, 0, 1);
   fixed[6] = true; // of a side
-  const Report report = simplify_boundaries(square.points, square.triangles, 0, constrained(fixed));
+  const Report report =
+      simplify_boundaries(square.points, square.triangles, DistanceLimit{0}, constrained(fixed));
   CHECK(report.stop == StopReason::target_met);
   CHECK(topology_of(square).boundary_edges == 5);
 }
@@ -194,7 +197,8 @@ TEST_CASE("Where several points are as far, the border does not depend on where 
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     Soup soup = shuffled(joined(zigzag, tube, {{9, 0, 0}}), seed);
     std::vector<char> fixed = corners(soup, 0, 1);
-    simplify_boundaries(soup.points, soup.triangles, 0.08, NormalFlip{180}, constrained(fixed));
+    simplify_boundaries(soup.points, soup.triangles, DistanceLimit{0.08}, NormalFlip{180},
+                        constrained(fixed));
     if (seed == 0)
       expected = boundary_segments(soup);
     CHECK(boundary_segments(soup) == expected);
@@ -209,26 +213,42 @@ TEST_CASE("A mesh gets the same borders as a soup, and keeps what is inside") {
   for (const auto v : mesh.vertices())
     fixed[v] = (mesh.point(v).x() == 0 || mesh.point(v).x() == 0.25) &&
                (mesh.point(v).y() == 0 || mesh.point(v).y() == 1);
-  const Report report = simplify_boundaries(mesh, tolerance, HeightField{}, NormalFlip{180},
-                                            CGAL::parameters::vertex_is_constrained_map(fixed));
+  const Report report =
+      simplify_boundaries(mesh, DistanceLimit{tolerance}, HeightField{}, NormalFlip{180},
+                          CGAL::parameters::vertex_is_constrained_map(fixed));
   CHECK(report.stop == StopReason::target_met);
   CHECK(boundary_segments(to_soup(mesh)) ==
         boundary_segments(thinned_tile(soup, 0, 0.25).boundaries_only));
 }
 
+TEST_CASE("A relative limit of a boundary is a fraction of the diagonal") {
+  Soup relative = tile(0, 96), absolute = relative;
+  std::vector<char> fixed = corners(relative, 0, 0.75);
+  const auto simplified = [&](Soup& soup, const DistanceLimit& limit) {
+    simplify_boundaries(soup.points, soup.triangles, limit, HeightField{}, NormalFlip{180},
+                        constrained(fixed));
+  };
+  const double diagonal = ::test::diagonal(relative);
+  simplified(relative, DistanceLimit::relative(tolerance / diagonal));
+  simplified(absolute, DistanceLimit{tolerance});
+  CHECK(relative.points.size() < 96 * 128);
+  CHECK(is_identical(relative, absolute));
+}
+
 TEST_CASE("What holds a border is told, and a tolerance that is none is refused") {
   Soup soup = tile(0, 96);
-  const Report report =
-      simplify_boundaries(soup.points, soup.triangles, 1, NormalFlip{}, LongestEdge{0.05});
+  const Report report = simplify_boundaries(soup.points, soup.triangles, DistanceLimit{1},
+                                            NormalFlip{}, LongestEdge{0.05});
   CHECK_FALSE(is_target_reached(report.stop));
   CHECK(report.rejected(Rejection::filter) > 0);
   CHECK(report.contractions > 0);
   const Soup before = soup;
   for (const double none : {-1.0, std::numeric_limits<double>::quiet_NaN()})
-    CHECK_THROWS_AS(simplify_boundaries(soup.points, soup.triangles, none), std::invalid_argument);
+    CHECK_THROWS_AS(simplify_boundaries(soup.points, soup.triangles, DistanceLimit{none}),
+                    std::invalid_argument);
   CHECK(is_identical(soup, before));
   soup.triangles[2][1] = 9999999;
   CHECK_THROWS_WITH(
-      simplify_boundaries(soup.points, soup.triangles, 1.0),
+      simplify_boundaries(soup.points, soup.triangles, DistanceLimit{1}),
       Catch::StartsWith("quadrille::simplify_boundaries: face 2 names point 9999999"));
 }
