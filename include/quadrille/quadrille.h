@@ -89,6 +89,7 @@ typedef struct quadrille_option {
   const char* range;      /**< as "[0, inf)"; empty: any */
   const char* fallback;   /**< the default; empty: none */
   const char* unit;       /**< empty: none */
+  const char* places;     /**< the interfaces that have it: C, program, Python, web */
   const char* short_form; /**< the short form in the program; empty: none */
   const char* sentence;   /**< the description */
 } quadrille_option;

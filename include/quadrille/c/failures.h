@@ -9,6 +9,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 /// \file
@@ -45,8 +46,13 @@ std::int32_t code_of(const Keep& keep, Task&& task) noexcept {
   } catch (const std::bad_alloc&) {
     keep("out of memory");
     return QUADRILLE_OUT_OF_MEMORY;
-  } catch (const std::length_error&) { // more than there are addresses
-    keep("out of memory");
+  } catch (const std::length_error& error) {
+    if (std::string_view(error.what())
+            .starts_with("quadrille")) { // more than the library can count
+      keep(error.what());
+      return QUADRILLE_INVALID;
+    }
+    keep("out of memory"); // more than there are addresses
     return QUADRILLE_OUT_OF_MEMORY;
   } catch (const std::out_of_range& error) {
     keep(error.what());

@@ -34,6 +34,7 @@ struct Option {
   const char* range;      ///< as [0, inf); empty: any
   const char* fallback;   ///< the default; empty: none
   const char* unit;       ///< empty: none
+  const char* places;     ///< the interfaces that have it
   const char* short_form; ///< the short form in the program; empty: none
   const char* sentence;
 };
