@@ -25,11 +25,13 @@
 #include <quadrille/importance.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/manifold.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/placement.h>
 #include <quadrille/planar_patches.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplified.h>
+#include <quadrille/simplified_topology.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>

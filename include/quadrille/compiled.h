@@ -122,6 +122,7 @@ struct SoupOptions {
   std::optional<double> pairs_closer_than = {};       ///< see ThresholdPairs; without it the pairs
                                                       ///< are the edges
   std::optional<Topology> topology = std::nullopt;    ///< kept, or by default free with pairs
+  std::optional<double> simplified_topology = {};     ///< a size, see SimplifiedTopology
   double normal_flip = 90;                            ///< degrees, see NormalFlip
   std::optional<double> normal_deviation;             ///< degrees, see NormalDeviation
   bool no_self_intersection = false;                  ///< see NoSelfIntersection

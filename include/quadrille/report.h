@@ -155,6 +155,11 @@ struct Report {
   /// The size of the largest removed component: the diagonal of its bounding box, in the mesh's
   /// units.
   double largest_vanished_component = 0;
+  /// Handles and tunnels that were cut: see SimplifiedTopology. The genus of the surface, that of
+  /// all its components together, is by this number less.
+  std::size_t cut_handles = 0;
+  /// Components that were cut in two: see SimplifiedTopology.
+  std::size_t split_components = 0;
   std::size_t non_manifold_edges = 0;    ///< edges of the result with at least three faces
   std::size_t non_manifold_vertices = 0; ///< vertices of the result whose faces form neither a
                                          ///< disc nor half a disc
@@ -243,6 +248,23 @@ struct Report {
   Seconds seconds; ///< the time it took
 };
 
+namespace internal {
+
+/// Prints which components and handles of a surface are gone.
+inline void print_lost_components(std::ostream& out, const Report& report) {
+  if (report.components_before != report.components_after)
+    out << ", " << report.components_before << " -> " << report.components_after << " components";
+  if (report.vanished_components > 0)
+    out << ", " << report.vanished_components << " components vanished, of sizes up to "
+        << report.largest_vanished_component;
+  if (report.cut_handles > 0)
+    out << ", " << report.cut_handles << " handles cut";
+  if (report.split_components > 0)
+    out << ", " << report.split_components << " components cut in two";
+}
+
+} // namespace internal
+
 /// Prints a report in one line, without an end of line; numbers that are 0 or unknown are left out.
 inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   out << report.faces_before << " -> " << report.faces_after << " faces, " << report.vertices_before
@@ -263,11 +285,7 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
     out << ", normals within " << *report.normal_bound_degrees << " degrees";
   if (report.non_edge_contractions > 0)
     out << ", " << report.non_edge_contractions << " contractions without an edge";
-  if (report.components_before != report.components_after)
-    out << ", " << report.components_before << " -> " << report.components_after << " components";
-  if (report.vanished_components > 0)
-    out << ", " << report.vanished_components << " components vanished, of sizes up to "
-        << report.largest_vanished_component;
+  internal::print_lost_components(out, report);
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";
@@ -288,13 +306,13 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
 /// The numbers of a Status that are only computed for stop policies that declare them: see
 /// StopPolicy. Other policies see the greatest numbers of the type, or infinity.
 struct Needs {
-  bool distance = false;      ///< Status::next_distance, as for DistanceLimit
+  bool distance = false;         ///< Status::next_distance, as for DistanceLimit
   bool reverse_distance = false; ///< Status::next_reverse_distance, as for HausdorffLimit; implies
                                  ///< `distance`
-  bool tolerance = false;     ///< Status::next_tolerance, as for ToleranceLimit; implies both of
-                              ///< these
-  bool cost = false;          ///< Status::next_cost, as for CostLimit
-  bool edges = false;         ///< Status::edges and initial_edges, as for EdgeCount
+  bool tolerance = false;        ///< Status::next_tolerance, as for ToleranceLimit; implies both of
+                                 ///< these
+  bool cost = false;             ///< Status::next_cost, as for CostLimit
+  bool edges = false;            ///< Status::edges and initial_edges, as for EdgeCount
 
   /// Returns the union of both needs.
   friend constexpr Needs operator|(const Needs& a, const Needs& b) {

@@ -99,6 +99,10 @@ inline void add_files(CLI::App& app, Options& options) {
          "--orient", options.orients,
          "turn faces so that neighbours are wound alike, across all edges that two faces share")
       ->group("Files");
+  app.add_flag("--manifold", options.is_manifold,
+               "cut IN into manifold sheets first: at edges of more than two faces, and where "
+               "sheets touch at a vertex")
+      ->group("Files");
   app.add_option("--into", options.folder,
                  "simplify several files: every word is an input file, whose result is written to "
                  "this folder under the same name; the folder is created if it does not exist")
@@ -170,6 +174,18 @@ inline void require_consistency(const Options& options) {
   reject_if(options.drops_components && (options.topology == "free" || options.joins_pairs()),
             "--drop-parts does not go with --topology free or --pairs: it keeps the rest of the "
             "topology");
+  reject_if(options.cuts_handles() && topology(options) == quadrille::Topology::free,
+            "--cut-handles does not go with --topology free or --pairs: it keeps the rest of "
+            "the topology");
+  reject_if(options.cuts_handles() && (options.promises() || !options.record.empty()),
+            "--cut-handles does not go with --error, --tolerance, --no-self-intersection, --solid, "
+            "--normals or --record: nothing is promised of the faces of a cut");
+  reject_if(options.is_manifold && topology(options) == quadrille::Topology::free,
+            "--manifold does not go with --topology free or --pairs: these make edges of more than "
+            "two faces");
+  reject_if((options.cuts_handles() || options.is_manifold) &&
+                is_gltf(extension_of(options.input, options)),
+            "--cut-handles and --manifold do not go with glTF: its meshes have channels");
   reject_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
                                        options.cost == "thin-features"),
             "--crease goes with --cost quadric, color and texture only");

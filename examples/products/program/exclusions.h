@@ -36,12 +36,12 @@ inline constexpr Exclusion exclusions[] = {
 
 /// Those that belong to the run that has made a record.
 inline constexpr const char* options_of_recorded_runs[] = {
-    "--record",    "--cost",         "--placement",  "--topology",      "--threads",
-    "--both-ways", "--boundary",     "--drop-parts", "--levels",        "--tolerance",
-    "--lines",     "--normal-noise", "--noise",      "--squared-areas", "--importance",
-    "--crease",    "--pairs",        "--normals",    "--solid",         "--no-self-intersection",
-    "--seams",     "--order",        "--weld",       "--orient",        "--keep-partial",
-    "--region",    "--labels"};
+    "--record",    "--cost",         "--placement",   "--topology",      "--threads",
+    "--both-ways", "--boundary",     "--drop-parts",  "--levels",        "--tolerance",
+    "--lines",     "--normal-noise", "--noise",       "--squared-areas", "--importance",
+    "--crease",    "--pairs",        "--normals",     "--solid",         "--no-self-intersection",
+    "--seams",     "--order",        "--weld",        "--orient",        "--keep-partial",
+    "--region",    "--labels",       "--cut-handles", "--manifold"};
 
 /// Throws if an option is there that does not go with another one, with the reason.
 inline void reject_with(const CLI::App& app, const Exclusion& exclusion) {

@@ -54,6 +54,8 @@ struct Options {
   Amount pairs;                          // closer than this; 0: edges only
   std::string topology;                  // empty: see topology()
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
+  Amount handles;                        // up to this wide are cut; 0: none is
+  bool is_manifold = false;              // is IN made so first?
   bool drops_components = false;
   bool keeps_components = false;        // neither: see topology()
   bool forbids_intersections = false;   // of faces that do not intersect in IN
@@ -82,6 +84,7 @@ struct Options {
     return line_weight > 0 || normal_noise > 0 || position_noise.value > 0 || weighs_squared_area;
   }
   bool joins_pairs() const { return pairs.value > 0; }
+  bool cuts_handles() const { return handles.value > 0; }
   /// Is anything asked for that OUT is to keep?
   bool promises() const {
     const bool is_limited =
@@ -166,10 +169,9 @@ inline void require_fit(const Options& options, bool has_colors, bool has_textur
 /// `others` is what else the file has.
 [[noreturn]] inline void reject_without_faces(const Options& options, std::size_t vertices,
                                               const std::string& others = "") {
-  throw std::runtime_error(options.input + ": nothing to simplify: it has " +
-                           std::to_string(vertices) + " vertices" +
-                           (others.empty() ? "" : ", " + others) +
-                           " and no face with three different vertices");
+  throw std::runtime_error(
+      options.input + ": nothing to simplify: it has " + std::to_string(vertices) + " vertices" +
+      (others.empty() ? "" : ", " + others) + " and no face with three different vertices");
 }
 
 } // namespace quadrille_examples

@@ -27,6 +27,8 @@ inline constexpr NotByChunks not_by_chunks[] = {
      "alone also keeps the limit"},
     {"--orient", "a chunk does not know the orientation of the others"},
     {"--pairs", "pairs that are not edges may lie in different chunks"},
+    {"--cut-handles", "a handle may lie in several chunks"},
+    {"--manifold", "a chunk does not see the faces of the others"},
     {"--no-self-intersection", "a chunk does not see the faces of the others"},
     {"--solid", "a chunk does not see the faces of the others"},
     {"--normals", "the deviation of normals is not passed on from phase to phase"},

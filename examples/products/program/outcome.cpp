@@ -98,6 +98,10 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", normals within " + two_digits(rounded_up(*report.normal_bound_degrees)) + " degrees";
   if (report.vanished_components > 0)
     text += ", " + vanished_text(report, outcome.diagonal);
+  if (report.cut_handles > 0)
+    text += ", " + counted(report.cut_handles, "handle") + " cut";
+  if (report.split_components > 0)
+    text += ", " + counted(report.split_components, "component") + " cut in two";
   const quadrille::Status input{.initial_faces = report.counted_faces,
                                 .initial_vertices = report.vertices_before,
                                 .faces = report.counted_faces,
@@ -189,6 +193,8 @@ Json json_of(const Outcome& outcome) {
                {"non_edge_contractions", report.non_edge_contractions},
                {"vanished_components", report.vanished_components},
                {"largest_vanished_component", report.largest_vanished_component},
+               {"cut_handles", report.cut_handles},
+               {"split_components", report.split_components},
                {"non_manifold_edges", report.non_manifold_edges},
                {"non_manifold_vertices", report.non_manifold_vertices},
                {"error", report.error},

@@ -143,6 +143,14 @@ inline void add_topology(CLI::App& app, Options& options) {
           "may vanish, see --keep-parts; free with --pairs)"),
       {"kept", "free"})
       ->group("Policies");
+  app.add_option_function<std::string>(
+         "--cut-handles", [&](const std::string& word) { options.handles = amount_of(word); },
+         "tunnels and handles no wider than this, in units of IN or, with %, in parts of the "
+         "diagonal, are cut and closed where that is the cheapest step; the rest of the topology "
+         "is kept")
+      ->check(distance())
+      ->type_name("SIZE|SIZE%")
+      ->group("Policies");
   CLI::Option* const drops = app.add_flag(
       "--drop-parts", options.drops_components,
       "small components may be removed where that is the cheapest step; the rest of the "

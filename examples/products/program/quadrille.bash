@@ -11,7 +11,7 @@ _quadrille() {
     --report | --progress) _filedir json ;;
     --out-of-core) _filedir -d ;;
     --step) mapfile -t COMPREPLY < <(compgen -W 'cut close' -- "$cur") ;;
-    --faces | --keep | --ratio | --vertices | --error | --levels | --crease | --lines | --normal-noise | --noise | --importance | --labels | --pairs | --threads | --memory) ;;
+    --faces | --keep | --ratio | --vertices | --error | --levels | --crease | --lines | --normal-noise | --noise | --importance | --labels | --pairs | --cut-handles | --threads | --memory) ;;
     --boundary) mapfile -t COMPREPLY < <(compgen -W lock -- "$cur") ;;
     *)
       if [[ $prev == --* && -n $choices ]]; then

@@ -3,6 +3,7 @@
 #include "../mesh_io/gltf/mesh_document.h"
 #include "../mesh_io/gltf/scene_mesh.h"
 #include "../mesh_io/mesh/bounding_box.h"
+#include "../mesh_io/mesh/manifold.h"
 #include "../mesh_io/mesh/winding.h"
 #include "../mesh_io/mesh_io.h"
 #include "../mesh_io/replace_file.h"
@@ -89,10 +90,22 @@ void orient(const Options& options, IndexedMesh& mesh) {
               "fold-over checks and hulls): " +
                   count);
   if (winding.one_sided() > 0)
-    print_remark(
-        options,
-        "one-sided components, whose faces cannot be wound alike: " +
-            with_commas(winding.one_sided()));
+    print_remark(options, "one-sided components, whose faces cannot be wound alike: " +
+                              with_commas(winding.one_sided()));
+}
+
+void make_manifold(Options& options, IndexedMesh& mesh) {
+  if (!options.is_manifold)
+    return;
+  const auto changes = with_errors_of(options.input, [&] { return make_manifold(mesh); });
+  for (auto* scalars : {&options.importances, &options.tolerances})
+    for (std::size_t i = 0; i < changes.origins.size() && !scalars->empty(); ++i)
+      scalars->push_back(double{(*scalars)[changes.origins[i][0]]});
+  follow_triangles(options.selected, changes.triangles);
+  if (!changes.origins.empty())
+    print_remark(options, "made manifold: " + with_commas(changes.split_vertices) +
+                              " vertices split, " + with_commas(changes.split_edges) +
+                              " edges split in their middle");
 }
 
 namespace {
@@ -202,6 +215,7 @@ public:
     progress_.clear();
     print_remarks(options_, mesh);
     orient(options_, mesh);
+    make_manifold(options_, mesh);
     if (!is_standard_output(options_.output) && !writes_gltf())
       print_remark_of_materials(options_, mesh);
     diagonal_ = diagonal(mesh.points, mesh.triangles);

@@ -52,6 +52,7 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   progress.clear();
   print_remarks(options, shown.mesh);
   orient(options, shown.mesh);
+  make_manifold(options, shown.mesh);
   Outcome outcome{.file = options.output,
                   .target = options.target,
                   .report = {},

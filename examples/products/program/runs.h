@@ -49,6 +49,10 @@ void take_scalars(Options& options, const IndexedMesh& mesh);
 /// one side is told.
 void orient(const Options& options, IndexedMesh& mesh);
 
+/// Cuts a mesh into manifold sheets where --manifold asks for it, with the scalars that were taken
+/// of it.
+void make_manifold(Options& options, IndexedMesh& mesh);
+
 /// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, const IndexedMesh& mesh);
 

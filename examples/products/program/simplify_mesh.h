@@ -40,6 +40,8 @@ quadrille::SoupOptions soup_options(const Options& options, const auto& points,
   quadrille::SoupOptions result = soup_options(options);
   if (options.joins_pairs())
     result.pairs_closer_than = length_of(options.pairs, diagonal(points, triangles));
+  if (options.cuts_handles())
+    result.simplified_topology = length_of(options.handles, diagonal(points, triangles));
   if (options.position_noise.value > 0)
     result.position_noise = length_of(options.position_noise, diagonal(points, triangles));
   if (options.locks_boundaries)
