@@ -153,6 +153,9 @@ private:
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
   static constexpr std::size_t joined_blocks = BlockStars::joined_blocks;
   static constexpr std::size_t no_quota = ~std::size_t{0}; // of contractions
+  // From which part of the way to the farthest neighbour on an error is left to the greedy order.
+  // That of attributes is a distance too, and as large where they are noisy.
+  static constexpr double coarse_fraction = Policies::has_channels ? 0.3 : 0.1;
 
   // The data of a block is loaded once: it is contracted right after its costs are known.
   std::size_t pass(std::size_t quota) {
@@ -356,7 +359,8 @@ private:
   bool is_left_to_greedy_order(Contraction& contraction) {
     TargetRules<Policies>& rules = surface_.run().target_rules();
     return is_stop_in_pass(surface_, contraction) ||
-           rules.overshoots(contraction, surface_.status()) || rules.is_coarse(contraction) ||
+           rules.overshoots(contraction, surface_.status()) ||
+           rules.is_coarse(contraction, coarse_fraction) ||
            surface_.shape_check().spoils_component(contraction) || cuts_off_touched(contraction);
   }
 
