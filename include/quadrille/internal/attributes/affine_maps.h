@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -87,17 +88,24 @@ public:
       join_weights(first, second, displacement, form);
   }
 
-  /// Adds what two maps disagree about.
-  QUADRILLE_ALWAYS_INLINE void add_difference(double w1, const AffineMap* first, double w2,
-                                              const AffineMap* second,
-                                              const Vector<3>& displacement,
-                                              QuadricForm<3>& form) const {
-    const double sum = w1 + w2;
-    const double weight = sum > 0 ? w1 * w2 / sum : 0;
-    for (std::size_t c = 0; c < squared_weights_.size(); ++c)
-      form +=
-          squared_plane(second[c].gradient - first[c].gradient,
-                        second[c].at(displacement) - first[c].value, weight * squared_weights_[c]);
+  /// Returns the weight of what two wedges disagree about, by theirs.
+  static double parallel(double first, double second) {
+    const double sum = first + second;
+    return sum > 0 ? first * second / sum : 0;
+  }
+
+  /// Adds what two wedges of texture coordinates disagree about, which is `off`.
+  void add_boundary_difference(double first_weight, const Matrix2& first_boundary,
+                               double second_weight, const Matrix2& second_boundary,
+                               const std::array<AffineMap, 2>& off, QuadricForm<3>& form) const {
+    const Matrix2 w1 = matrix(first_weight, first_boundary);
+    if (const auto t = share(w1, matrix(second_weight, second_boundary))) {
+      add_parallel(w1, *t, off, form);
+      return;
+    }
+    const double weight = parallel(first_weight, second_weight);
+    for (std::size_t c = 0; c < 2; ++c)
+      form += squared_plane(off[c].gradient, off[c].value, weight * squared_weights_[c]);
   }
 
   /// Adds what it costs that the wedge has other values than its map at its origin.
@@ -121,8 +129,11 @@ public:
 private:
   void join_weights(WedgeMap& first, const WedgeMap& second, const Vector<3>& displacement,
                     QuadricForm<3>& form) const {
-    add_difference(first.weight, first.maps.data(), second.weight, second.maps.data(), displacement,
-                   form);
+    const double weight = parallel(first.weight, second.weight);
+    for (std::size_t c = 0; c < first.maps.size(); ++c)
+      form += squared_plane(second.maps[c].gradient - first.maps[c].gradient,
+                            second.maps[c].at(displacement) - first.maps[c].value,
+                            weight * squared_weights_[c]);
     const double sum = first.weight + second.weight;
     const double fraction = sum > 0 ? second.weight / sum : 0;
     for (std::size_t c = 0; c < first.maps.size(); ++c) {
@@ -138,30 +149,35 @@ private:
   // and the difference costs W₁ T.
   void join_boundaries(WedgeMap& first, const WedgeMap& second, const Vector<3>& displacement,
                        QuadricForm<3>& form) const {
-    const Matrix2 w1 = matrix(first), w2 = matrix(second);
-    const Matrix2 sum{w1[0] + w2[0], w1[1] + w2[1], w1[2] + w2[2]};
-    const double determinant = sum[0] * sum[2] - sum[1] * sum[1];
-    if (!(determinant > 1e-14 * sum[0] * sum[2])) {
-      join_weights(first, second, displacement, form);
-    } else {
-      // T = adj(W₁ + W₂) W₂ / det
-      const std::array<double, 4> t{(sum[2] * w2[0] - sum[1] * w2[1]) / determinant,
-                                    (sum[2] * w2[1] - sum[1] * w2[2]) / determinant,
-                                    (sum[0] * w2[1] - sum[1] * w2[0]) / determinant,
-                                    (sum[0] * w2[2] - sum[1] * w2[1]) / determinant};
+    const Matrix2 w1 = matrix(first.weight, first.boundary);
+    if (const auto t = share(w1, matrix(second.weight, second.boundary))) {
       std::array<AffineMap, 2> off;
       for (std::size_t c = 0; c < 2; ++c)
         off[c] = {second.maps[c].gradient - first.maps[c].gradient,
                   second.maps[c].at(displacement) - first.maps[c].value};
-      add_parallel(w1, t, off, form);
+      add_parallel(w1, *t, off, form);
       for (std::size_t c = 0; c < 2; ++c) {
-        first.maps[c].gradient += t[2 * c] * off[0].gradient + t[2 * c + 1] * off[1].gradient;
-        first.maps[c].value += t[2 * c] * off[0].value + t[2 * c + 1] * off[1].value;
+        first.maps[c].gradient += (*t)[2 * c] * off[0].gradient + (*t)[2 * c + 1] * off[1].gradient;
+        first.maps[c].value += (*t)[2 * c] * off[0].value + (*t)[2 * c + 1] * off[1].value;
       }
       first.weight += second.weight;
+    } else {
+      join_weights(first, second, displacement, form);
     }
     for (std::size_t i = 0; i < 3; ++i)
       first.boundary[i] += second.boundary[i];
+  }
+
+  // Returns T = adj(W₁ + W₂) W₂ / det; nothing if W₁ + W₂ is singular.
+  static std::optional<std::array<double, 4>> share(const Matrix2& w1, const Matrix2& w2) {
+    const Matrix2 sum{w1[0] + w2[0], w1[1] + w2[1], w1[2] + w2[2]};
+    const double determinant = sum[0] * sum[2] - sum[1] * sum[1];
+    if (!(determinant > 1e-14 * sum[0] * sum[2]))
+      return std::nullopt;
+    return std::array{(sum[2] * w2[0] - sum[1] * w2[1]) / determinant,
+                      (sum[2] * w2[1] - sum[1] * w2[2]) / determinant,
+                      (sum[0] * w2[1] - sum[1] * w2[0]) / determinant,
+                      (sum[0] * w2[2] - sum[1] * w2[1]) / determinant};
   }
 
   // The form offᵀ W₁T off as two squares: W₁T is symmetric and positive semidefinite.
@@ -180,9 +196,9 @@ private:
     form += squared_plane(off[1].gradient, off[1].value, (std::max)(0.0, yy - l * xy));
   }
 
-  Matrix2 matrix(const WedgeMap& wedge) const {
-    return {wedge.weight * squared_weights_[0] + wedge.boundary[0], wedge.boundary[1],
-            wedge.weight * squared_weights_[1] + wedge.boundary[2]};
+  Matrix2 matrix(double weight, const Matrix2& boundary) const {
+    return {weight * squared_weights_[0] + boundary[0], boundary[1],
+            weight * squared_weights_[1] + boundary[2]};
   }
 
   std::vector<double> squared_weights_;

@@ -5,11 +5,15 @@
 #include <quadrille/internal/attributes/channel_reader.h>
 #include <quadrille/internal/attributes/channel_weights.h>
 #include <quadrille/internal/attributes/wedge_records.h>
+#include <quadrille/internal/attributes/wedge_sums.h>
 #include <quadrille/internal/attributes/wedge_table.h>
 #include <quadrille/internal/core/appearance/channel_input.h>
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/lanes.h>
 #include <quadrille/internal/core/base/prefetch.h>
+#include <quadrille/internal/core/base/ranges.h>
+#include <quadrille/internal/core/base/threads.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/memory/array.h>
@@ -71,8 +75,8 @@ public:
         boundary_weight_(input.chart_boundary_weight),
         are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
         factors_(std::move(weights.factors)), as_written_(input.as_written),
-        table_(complex.arena()), joiner_(std::move(weights.squared)),
-        records_(input.components, complex.arena()) {
+        table_(complex.arena()), records_(weights.squared, complex.arena()),
+        joiner_(std::move(weights.squared)) {
     const ChannelReader reader(input, numbering, complex);
     if (has_one_a_vertex(input))
       reader.read_vertices(records_);
@@ -117,15 +121,26 @@ public:
                         Index w) const {
     if (!is_texture_)
       return false;
-    const auto side = [&](Index f) { // to the left of the edge from v to w, if positive
+    const auto area = [&](Index f) { return texture_area(complex, f); };
+    return are_folded(complex, face, area(face), other, area(other), v, w);
+  }
+  /// Answers that where the areas of the faces in the texture are known, or their signs.
+  static bool are_folded(const TriangleComplex& complex, Index face, double area, Index other,
+                         double other_area, Index v, Index w) {
+    if (area == 0 || other_area == 0)
+      return false;
+    const auto runs_from_v = [&](Index f) {
       const auto& [p, q, r] = complex.vertices(f);
-      const double area = doubled_area(records_.texture_at(table_.at(f, 0, p)),
-                                       records_.texture_at(table_.at(f, 1, q)),
-                                       records_.texture_at(table_.at(f, 2, r)));
-      return (p == v && q == w) || (q == v && r == w) || (r == v && p == w) ? area : -area;
+      return (p == v && q == w) || (q == v && r == w) || (r == v && p == w);
     };
-    const double one = side(face), two = side(other);
-    return (one > 0 && two > 0) || (one < 0 && two < 0);
+    return ((area > 0) == runs_from_v(face)) == ((other_area > 0) == runs_from_v(other));
+  }
+  /// Twice the area of a face in the texture, negative if it is turned over.
+  double texture_area(const TriangleComplex& complex, Index face) const {
+    const auto& [p, q, r] = complex.vertices(face);
+    return doubled_area(records_.texture_at(table_.at(face, 0, p)),
+                        records_.texture_at(table_.at(face, 1, q)),
+                        records_.texture_at(table_.at(face, 2, r)));
   }
 
   /// Computes the maps of the current attributes. The discrepancies of the faces of a wedge are
@@ -133,23 +148,18 @@ public:
   /// weight(area).
   template <class Positions, class Weight, class Add>
   void accumulate(const Positions& positions, const TriangleComplex& complex,
-                  const Array<Index>& labels, Weight weight_of_area, Add add) {
-    records_.forget_faces();
+                  const Array<Index>& labels, Weight weight_of_area, Add add, Threads threads) {
+    records_.forget_boundaries();
     if (components() == 0)
       return;
-    std::vector<Vector<3>> gradients(components());
-    for (Index face = 0; face < complex.face_capacity(); ++face) {
-      if (complex.is_removed(face))
-        continue;
-      const double weight =
-          find_gradients(positions, complex, face, factor(labels, face), weight_of_area, gradients);
-      if (!(weight > 0))
-        continue;
-      const auto& vertices = complex.vertices(face);
-      for (std::size_t i = 0; i < 3; ++i)
-        add(vertices[i], records_.join_face(table_.at(face, i, vertices[i]), weight, gradients,
-                                            joiner_.squared_weights()));
-    }
+    with_wedge_sums(
+        wedge_count(complex.vertex_capacity()), components(), complex.arena(), [&](auto sums) {
+          for_each_range(threads, complex.vertex_capacity(), [&](const auto& range, std::size_t) {
+            add_faces(range, positions, complex, labels, weight_of_area, sums);
+            for (Index v = range.begin; v < range.end; ++v)
+              table_.for_each(v, [&](Index wedge) { add(v, sums.resolve(wedge, records_)); });
+          });
+        });
   }
 
   /// Does a chart end between two faces at the edge vw, or is it folded there?
@@ -204,15 +214,19 @@ public:
   /// Adds what the wedges of two ends disagree about, about the first end.
   QUADRILLE_ALWAYS_INLINE void add_difference(Index first, Index second, const Vector<3>& to_second,
                                               QuadricForm<3>& form) const {
-    joiner_.add_difference(records_.weight(first), records_.maps(first), records_.weight(second),
-                           records_.maps(second), -1.0 * to_second, form);
+    const double weight = MapJoiner::parallel(records_.weight(first), records_.weight(second));
+    for_each_four(components(), [&](std::size_t four, auto count) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+      const auto [x, y, z, off] =
+          records_.template differences<count>(first, second, to_second, four);
+      for (std::size_t i = 0; i < count; ++i)
+        form += squared_plane(Vector<3>{x[i], y[i], z[i]}, static_cast<double>(off[i]), weight);
+    });
   }
   /// The texture coordinates of the joined wedge at a target, given from the first end.
   Vector<2> joined_texture(const ContractedPair& pair, const Vector<3>& target) const {
-    const auto at = [&](std::size_t c) {
-      return records_.joined(pair.first, pair.second, pair.to_second, c).at(target);
-    };
-    return {at(0), at(1)};
+    const Lanes values =
+        records_.joined(pair.first, pair.second, pair.to_second, target, 0).values[0];
+    return {values[0], values[1]};
   }
   /// Carries the contraction of a pair out that joins two wedges: see joins_two().
   void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
@@ -275,32 +289,46 @@ private:
   // A texture changes by a length for each length nearly everywhere; others change by much more at
   // what is sharp in them, and are to count there.
   double steepness_factor() const { return is_texture_ ? 1 : 1.0 / 16; }
-  // Computes the gradient of each attribute on a face. Returns their weight: the area, and less if
+  // Adds all faces to the sums of the wedges of a range of vertices.
+  template <class Range, class Positions, class Weight, class Sums>
+  void add_faces(const Range& range, const Positions& positions, const TriangleComplex& complex,
+                 const Array<Index>& labels, Weight weight_of_area, Sums& sums) const {
+    typename Sums::Row row(components());
+    for (Index face = 0; face < complex.face_capacity(); ++face) {
+      const auto& v = complex.vertices(face);
+      if (complex.is_removed(face) ||
+          !(range.contains(v[0]) || range.contains(v[1]) || range.contains(v[2])))
+        continue;
+      const std::array wedges{table_.at(face, 0, v[0]), table_.at(face, 1, v[1]),
+                              table_.at(face, 2, v[2])};
+      const std::array corners{positions[v[0]], positions[v[1]], positions[v[2]]};
+      if (!set_row(row, corners, wedges, factor(labels, face), weight_of_area))
+        continue;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (range.contains(v[i]))
+          sums.add(wedges[i], row);
+    }
+  }
+  // Computes the gradients of the attributes on a face, with their weight: the area, and less if
   // attributes change by more than a length (for others than textures, four) for each length, so
-  // that the weight of slivers is bounded.
-  template <class Positions, class Weight>
-  double find_gradients(const Positions& positions, const TriangleComplex& complex, Index face,
-                        double factor, Weight weight_of_area,
-                        std::vector<Vector<3>>& gradients) const {
-    const auto& v = complex.vertices(face);
-    const Vector<3> to_second = positions[v[1]] - positions[v[0]];
-    const Vector<3> to_third = positions[v[2]] - positions[v[0]];
+  // that the weight of slivers is bounded. False if it has none.
+  template <class Row, class Weight>
+  QUADRILLE_ALWAYS_INLINE bool set_row(Row& row, const std::array<Vector<3>, 3>& corners,
+                                       const std::array<Index, 3>& wedges, double factor,
+                                       Weight weight_of_area) const {
+    const Vector<3> to_second = corners[1] - corners[0], to_third = corners[2] - corners[0];
     const Vector<3> normal = cross(to_second, to_third);
     const double squared = squared_length(normal);
     if (!(squared > 0))
-      return 0;
-    const Vector<3> first_direction = (1 / squared) * cross(to_third, normal);
-    const Vector<3> second_direction = (1 / squared) * cross(normal, to_second);
-    const std::array<Index, 3> w{table_.at(face, 0, v[0]), table_.at(face, 1, v[1]),
-                                 table_.at(face, 2, v[2])};
-    double steepness = 0;
-    for (std::size_t c = 0; c < components(); ++c) {
-      gradients[c] = (value(w[1], c) - value(w[0], c)) * first_direction +
-                     (value(w[2], c) - value(w[0], c)) * second_direction;
-      steepness += joiner_.squared_weights()[c] * squared_length(gradients[c]);
-    }
-    return factor * weight_of_area(0.5 * std::sqrt(squared)) /
-           (1 + steepness_factor() * factor * steepness / static_cast<double>(components()));
+      return false;
+    const double inverse = 1 / squared;
+    const double steepness = row.set(records_, wedges, inverse * cross(to_third, normal),
+                                     inverse * cross(normal, to_second));
+    const double weight =
+        factor * weight_of_area(0.5 * std::sqrt(squared)) /
+        (1 + steepness_factor() * factor * steepness / static_cast<double>(components()));
+    row.weigh(weight);
+    return weight > 0;
   }
 
   template <class Rename>
@@ -320,8 +348,8 @@ private:
   std::vector<double> factors_;                             // of each label; or none
   std::function<bool(std::span<double>, bool)> as_written_; // see ChannelInput
   WedgeTable table_;
-  MapJoiner joiner_;
   WedgeRecords records_;
+  MapJoiner joiner_;
 };
 
 } // namespace quadrille::internal

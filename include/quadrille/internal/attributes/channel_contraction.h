@@ -160,31 +160,33 @@ public:
 private:
   template <class NewTexture>
   bool turns_over(const PairStar& star, NewTexture new_texture) const {
-    const auto turns = [&](const StarFace& f, Index vertex) {
-      const Index old = channel_.wedge(complex_, f.face, vertex);
-      const Vector<2> second = channel_.texture_at(complex_, f.face, f.second);
-      const Vector<2> third = channel_.texture_at(complex_, f.face, f.third);
-      const double before = doubled_area(records().texture_at(old), second, third);
-      const double after = doubled_area(new_texture(old), second, third);
-      return before > 0 ? !(after > 0) : before < 0 && !(after < 0);
+    const auto any_turns = [&](const AppendBuffer<StarFace>& faces, Index vertex) {
+      for (const StarFace& f : faces) {
+        const Index old = channel_.wedge(complex_, f.face, vertex);
+        const Vector<2> second = channel_.texture_at(complex_, f.face, f.second);
+        const Vector<2> third = channel_.texture_at(complex_, f.face, f.third);
+        const double before = doubled_area(records().texture_at(old), second, third);
+        const double after = doubled_area(new_texture(old), second, third);
+        if (before > 0 ? !(after > 0) : before < 0 && !(after < 0))
+          return true;
+      }
+      return false;
     };
-    return std::any_of(star.first.begin(), star.first.end(),
-                       [&](const StarFace& f) { return turns(f, pair_.first); }) ||
-           std::any_of(star.second.begin(), star.second.end(),
-                       [&](const StarFace& f) { return turns(f, pair_.second); });
+    return any_turns(star.first, pair_.first) || any_turns(star.second, pair_.second);
   }
 
   const WedgeTable& table() const { return channel_.table(); }
   const MapJoiner& joiner() const { return channel_.joiner(); }
   const WedgeRecords& records() const { return channel_.records(); }
 
+  // Only textures hold boundaries.
   void add_join(Index w, Index x, QuadricForm<3>& form) const {
-    if (!records().has_constrained_boundary(w) && !records().has_constrained_boundary(x)) {
+    if (!records().has_constrained_boundary(w) && !records().has_constrained_boundary(x))
       channel_.add_difference(w, x, pair_.to_second, form);
-    } else {
-      WedgeMap map = records().map(w);
-      joiner().join(map, records().map(x), -1.0 * pair_.to_second, form);
-    }
+    else
+      joiner().add_boundary_difference(records().weight(w), records().boundary(w),
+                                     records().weight(x), records().boundary(x),
+                                     records().texture_difference(w, x, pair_.to_second), form);
   }
 
   WedgeJoins joins() const {

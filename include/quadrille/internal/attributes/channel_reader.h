@@ -44,10 +44,13 @@ public:
   void read_vertices(WedgeRecords& records) const {
     Array<Index> origins(complex_.vertex_capacity(), none, complex_.arena());
     for (Index v = 0; v < origins.size(); ++v)
-      complex_.for_each_corner(v, [&](Index face, Index i) {
-        if (origins[v] == none)
-          origins[v] = value_at(face, i);
-      });
+      if (input_.corners.empty())
+        origins[v] = complex_.has_faces(v) ? numbering_.vertices[v] : none;
+      else
+        complex_.for_each_corner(v, [&](Index face, Index i) {
+          if (origins[v] == none)
+            origins[v] = value_at(face, i);
+        });
     records.read(input_, std::move(origins));
     if (!input_.corners.empty() && input_.new_values != NewValues::existing)
       for (Index v = 0; v < complex_.vertex_capacity(); ++v)

@@ -124,27 +124,31 @@ public:
                 const Array<Index>& labels)
       : low_(channel.components, (std::numeric_limits<double>::max)()),
         high_(channel.components, std::numeric_limits<double>::lowest()) {
-    Array<unsigned char> is_used(channel.size(), 0, complex.arena());
+    Array<unsigned char> is_used(channel.corners.empty() ? 0 : channel.size(), 0, complex.arena());
     for (Index face = 0; face < complex.face_capacity(); ++face) {
-      if (complex.is_removed(face))
+      if (complex.is_removed(face) || (is_used.empty() && !channel.is_texture()))
         continue;
       const auto& v = complex.vertices(face);
       std::array<Index, 3> values;
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i)
         values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
+      for (std::size_t i = 0; i < 3 && !is_used.empty(); ++i)
         is_used[values[i]] = 1;
-      }
       if (!channel.is_texture())
         continue;
       const std::size_t label = labels.empty() ? 0 : labels[face];
-      areas_.resize((std::max)(areas_.size(), label + 1));
-      areas_[label].surface += std::sqrt(squared_length(
-          normal_vector(space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
+      if (label >= areas_.size())
+        areas_.resize(label + 1);
+      areas_[label].surface += std::sqrt(squared_length(double_area_vector(
+          space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
       areas_[label].texture += texture_area(channel, values);
     }
     for (Index value = 0; value < is_used.size(); ++value)
       if (is_used[value])
         add_value(channel, value);
+    for (Index v = 0; v < complex.vertex_capacity() && channel.corners.empty(); ++v)
+      if (complex.has_faces(v))
+        add_value(channel, numbering.vertices[v]);
   }
 
   /// Area of the surface / area of the texture; 0 if either is 0.

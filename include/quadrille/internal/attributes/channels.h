@@ -5,10 +5,11 @@
 #include <quadrille/internal/attributes/channel_contraction.h>
 #include <quadrille/internal/attributes/channel_seams.h>
 #include <quadrille/internal/attributes/channel_weights.h>
+#include <quadrille/internal/attributes/chart_ends.h>
 #include <quadrille/internal/core/appearance/channel_input.h>
 #include <quadrille/internal/core/appearance/no_channels.h>
 #include <quadrille/internal/core/base/index.h>
-#include <quadrille/internal/core/complex/edge_sides.h>
+#include <quadrille/internal/core/base/threads.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/memory/array.h>
@@ -88,11 +89,6 @@ private:
   const TriangleComplex& complex_;
   const InputIndices& faces_;
   std::vector<ChannelInput>& channels_;
-};
-
-/// An edge vw of a face at which its chart ends.
-struct ChartEnd {
-  Index v, w, face;
 };
 
 /// The final channels of a surface, by the numbers that the caller has given them. The wedges of
@@ -196,16 +192,18 @@ public:
 
   /// Accumulates the current attributes in the states of all vertices. `labels`: of each face; or
   /// empty.
-  void accumulate(const Array<Index>& labels) {
+  void accumulate(const Array<Index>& labels, Threads threads) {
     if constexpr (!accumulates_forms<Cost>)
       forms_.assign(geometry_.positions().size(), QuadricForm<3>());
     traces_.assign(geometry_.positions().size(), 0);
     for (Channel& channel : channels_)
-      channel.accumulate(geometry_.positions(), complex_, labels, weight_of_area,
-                         [&](Index v, const SymmetricMatrix<3>& matrix) {
-                           form_at(v).matrix() += matrix;
-                           traces_[v] += matrix.trace();
-                         });
+      channel.accumulate(
+          geometry_.positions(), complex_, labels, weight_of_area,
+          [&](Index v, const SymmetricMatrix<3>& matrix) {
+            form_at(v).matrix() += matrix;
+            traces_[v] += matrix.trace();
+          },
+          threads);
   }
 
   /// Constrains charts at their ends, whether a surface has seams of other kinds or not: a boundary
@@ -215,22 +213,12 @@ public:
       if (!channel.constrains_charts() ||
           (channel.is_boundary_weight_given() && !(channel.chart_boundary_weight() > 0)))
         continue;
-      std::size_t edges = 0, seams = 0;
-      std::vector<ChartEnd> ends;
-      for_each_edge(complex_, [&](Index v, Index w, const auto& sides) {
-        ++edges;
-        if (sides.size() == 2 &&
-            !channel.ends_between(complex_, sides[0].second, sides[1].second, v, w))
-          return;
-        seams += sides.size() > 1;
-        for (const auto& side : sides)
-          ends.push_back({v, w, side.second});
-      });
-      if (seams == 0 && !has_other_seams)
+      const ChartEnds charts(complex_, channel);
+      if (!charts.has_seams() && !has_other_seams)
         continue;
       if (!channel.is_boundary_weight_given())
-        channel.choose_boundary_weight(static_cast<double>(seams) / static_cast<double>(edges));
-      for (const ChartEnd& end : ends)
+        channel.choose_boundary_weight(charts.fraction_of_seams());
+      for (const ChartEnd& end : charts.ends())
         constrain_boundary(channel, labels, end);
     }
   }

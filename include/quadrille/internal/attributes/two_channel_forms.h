@@ -7,39 +7,70 @@
 #include <quadrille/internal/attributes/channels.h>
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/lanes.h>
+#include <quadrille/internal/core/base/unrolled.h>
 #include <quadrille/internal/core/evaluation/two_quadrics.h>
 #include <quadrille/internal/core/pairs/candidate.h>
 #include <quadrille/quadric_form.h>
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
 /// \file
 /// Adds the costs of channels to two pairs at the price of one.
 
+/// Adds the weighted squares of what `count` components disagree about at two pairs.
+template <std::size_t count>
+QUADRILLE_ALWAYS_INLINE inline void add_squares(const FourDifferences& one,
+                                                const FourDifferences& other, Lanes weight,
+                                                LaneForm& form) {
+  std::array<std::array<Lanes, 4>, count> terms;
+  unrolled<count>([&](std::size_t i) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+    const auto lanes = [i](const FourFloats& a, const FourFloats& b)
+                           QUADRILLE_ALWAYS_INLINE_LAMBDA {
+                             return Lanes{static_cast<double>(a[i]), static_cast<double>(b[i])};
+                           };
+    terms[i] = {lanes(one.x, other.x), lanes(one.y, other.y), lanes(one.z, other.z),
+                lanes(one.off, other.off)};
+  });
+  const auto entry = [&](std::size_t j, std::size_t k) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+    Lanes sum = terms[0][j] * terms[0][k];
+    unrolled<count - 1>([&](std::size_t i) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+      sum += terms[i + 1][j] * terms[i + 1][k];
+    });
+    return weight * sum;
+  };
+  LaneMatrix matrix;
+  unrolled<3>([&](std::size_t j) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+    unrolled<3>([&](std::size_t k) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+      if (k <= j)
+        matrix.set(j, k, entry(j, k));
+    });
+  });
+  form += LaneForm(matrix, {{entry(0, 3), entry(1, 3), entry(2, 3)}}, entry(3, 3));
+}
+
 /// Adds what the maps of the wedges that have the numbers of the ends of two pairs disagree about:
-/// see MapJoiner::add_difference. `to_seconds`: from the first ends to the second.
+/// see Channel::add_difference. `to_seconds`: from the first ends to the second.
 QUADRILLE_ALWAYS_INLINE inline void add_differences(const Channel& channel, const TwoPairs& two,
-                                                    const LaneVector& to_seconds, LaneForm& form) {
+                                                    const std::array<Vector<3>, 2>& to_seconds,
+                                                    LaneForm& form) {
   const WedgeRecords& records = channel.records();
   const auto& [p, q] = two;
   const Lanes w1{records.weight(p.first), records.weight(q.first)};
   const Lanes w2{records.weight(p.second), records.weight(q.second)};
   const Lanes sum = w1 + w2;
   const Lanes weight = select(sum > Lanes{}, w1 * w2 / sum, Lanes{});
-  const AffineMap *const a = records.maps(p.first), *const b = records.maps(q.first);
-  const AffineMap *const c = records.maps(p.second), *const d = records.maps(q.second);
-  const std::vector<double>& squared_weights = channel.joiner().squared_weights();
-  for (std::size_t i = 0; i < squared_weights.size(); ++i) {
-    const LaneVector gradient = both(c[i].gradient, d[i].gradient);
-    const Lanes off =
-        Lanes{c[i].value, d[i].value} - dot(gradient, to_seconds) - Lanes{a[i].value, b[i].value};
-    form += squared_plane(gradient - both(a[i].gradient, b[i].gradient), off,
-                          squared_weights[i] * weight);
-  }
+  const auto differences = [&](std::size_t pair, std::size_t four, auto count)
+                               QUADRILLE_ALWAYS_INLINE_LAMBDA {
+                                 return records.template differences<count>(
+                                     two[pair].first, two[pair].second, to_seconds[pair], four);
+                               };
+  for_each_four(
+      records.components(), [&](std::size_t four, auto count) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+        add_squares<count>(differences(0, four, count), differences(1, four, count), weight, form);
+      });
 }
 
 /// Returns the discrepancies of all channels at two pairs, about their first ends. Fixed ends are
@@ -49,10 +80,9 @@ LaneForm two_joins(const Channels& channels, const TwoPairs& two,
                    const std::array<Vector<3>, 2>& to_seconds) {
   LaneForm form;
   const auto& [p, q] = two;
-  const LaneVector displacements = both(to_seconds[0], to_seconds[1]);
   for (const Channel& channel : channels.all()) {
     if (channel.joins_two(p.first, p.second) && channel.joins_two(q.first, q.second)) [[likely]] {
-      add_differences(channel, two, displacements, form);
+      add_differences(channel, two, to_seconds, form);
     } else {
       std::array<QuadricForm<3>, 2> forms;
       for (std::size_t k = 0; k < 2; ++k)

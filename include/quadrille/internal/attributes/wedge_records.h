@@ -6,32 +6,84 @@
 #include <quadrille/internal/core/appearance/channel_input.h>
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/lanes.h>
 #include <quadrille/internal/core/base/prefetch.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/quadric_form.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// The record of each wedge of a channel: a weight, a map of its attributes about its vertex, and
-/// the input value from which they come.
+/// The difference of the maps of two wedges, in lengths, for four components: (x, y, z) · p + off
+/// at a place p from the first.
+struct FourDifferences {
+  FourFloats x, y, z, off;
+};
+
+/// Calls visit(four, count) for each four components that there are, of which `count`, a constant,
+/// is less than four at the end.
+template <class Visit>
+QUADRILLE_ALWAYS_INLINE inline void for_each_four(std::size_t components, Visit visit) {
+  std::size_t four = 0;
+  for (; 4 * four + 4 <= components; ++four)
+    visit(four, std::integral_constant<std::size_t, 4>());
+  switch (components % 4) {
+  case 1:
+    return visit(four, std::integral_constant<std::size_t, 1>());
+  case 2:
+    return visit(four, std::integral_constant<std::size_t, 2>());
+  case 3:
+    return visit(four, std::integral_constant<std::size_t, 3>());
+  }
+}
+
+/// The wedge that two become, for four components: gradients in lengths, and values at a target.
+struct FourJoined {
+  FourFloats x, y, z;
+  std::array<Lanes, 2> values;
+};
+
+/// The record of each wedge of a channel, in columns: a weight, the value and the gradient of each
+/// component about its vertex, and the input value from which they come.
+///
+/// Gradients are lengths for each length, as floats: the rounding of a value that they lead to is
+/// 10⁻⁷ of how much the attribute changes on the way. Components are computed with two or four at a
+/// time; those that fill up the last four are 0.
 class WedgeRecords {
 public:
-  WedgeRecords(std::size_t components, Arena* arena)
-      : components_(components), weights_(arena), maps_(arena), boundaries_(arena), origins_(arena),
-        identities_(arena), existing_(arena) {}
+  /// `squared_weights`: the squares of the lengths that a step of 1 in each component counts as.
+  WedgeRecords(const std::vector<double>& squared_weights, Arena* arena)
+      : components_(squared_weights.size()), gradients_of_wedge_(12 * fours()),
+        values_of_wedge_(components_ + components_ % 2), lengths_(values_of_wedge_),
+        weights_(arena), values_(arena), gradients_(arena), boundaries_(arena), origins_(arena),
+        identities_(arena), existing_(arena) {
+    std::transform(squared_weights.begin(), squared_weights.end(), lengths_.begin(),
+                   [](double squared) { return std::sqrt(squared); });
+    for (double length : lengths_)
+      inverse_lengths_.push_back(length > 0 ? 1 / length : 0);
+  }
 
   std::size_t components() const { return components_; }
+  /// Returns how many times four components there are, where the last four may not be complete.
+  std::size_t fours() const { return (components_ + 3) / 4; }
   double weight(Index wedge) const { return weights_[wedge]; }
-  const AffineMap* maps(Index wedge) const { return maps_.data() + wedge * components_; }
-  double value(Index wedge, std::size_t component) const {
-    return maps_[wedge * components_ + component].value;
+  /// The values of a wedge, an even number of them.
+  const double* values(Index wedge) const { return values(wedge, values_of_wedge_); }
+  /// Returns them, too; `stride`: the number of values of a wedge, which the caller may know.
+  const double* values(Index wedge, std::size_t stride) const {
+    return values_.data() + wedge * stride;
   }
+  /// Returns the lengths that a step of 1 in each component counts as.
+  const double* lengths() const { return lengths_.data(); }
+  double value(Index wedge, std::size_t component) const { return values(wedge)[component]; }
   Vector<2> texture_at(Index wedge) const { return {value(wedge, 0), value(wedge, 1)}; }
   bool have_equal_values(Index w, Index x) const {
     for (std::size_t c = 0; c < components_; ++c)
@@ -60,16 +112,19 @@ public:
     if (input.new_values == NewValues::existing)
       existing_ = input.values;
     weights_.assign(origins_.size(), 0);
-    maps_.resize(origins_.size() * components_);
-    for (std::size_t w = 0; w < origins_.size(); ++w)
+    values_.resize(origins_.size() * values_of_wedge_);
+    std::fill(values_.begin(), values_.end(), 0.0);
+    gradients_.resize(origins_.size() * gradients_of_wedge_);
+    std::fill(gradients_.begin(), gradients_.end(), 0.0f);
+    for (Index w = 0; w < origins_.size(); ++w)
       for (std::size_t c = 0; c < components_ && origins_[w] != none; ++c)
-        maps_[w * components_ + c].value = input.value(origins_[w], c);
+        value_of(w, c) = input.value(origins_[w], c);
   }
   /// Values that are not of the input.
   void set_values(Index wedge, const std::vector<double>& values) {
     origins_[wedge] = none;
     for (std::size_t c = 0; c < components_; ++c)
-      maps_[wedge * components_ + c].value = values[c];
+      value_of(wedge, c) = values[c];
   }
   /// Sets the normals of wedges, of three components, instead of the values; a wedge whose normal
   /// has no length keeps its value.
@@ -88,62 +143,87 @@ public:
   void restore_existing() {
     for (Index wedge = 0; wedge < origins_.size(); ++wedge)
       for (std::size_t c = 0; c < components_; ++c)
-        maps_[wedge * components_ + c].value = final_value(wedge, c);
+        value_of(wedge, c) = final_value(wedge, c);
   }
 
-  /// Leaves nothing but values.
-  void forget_faces() {
-    std::fill(weights_.begin(), weights_.end(), 0.0);
-    std::fill(boundaries_.begin(), boundaries_.end(), Matrix2{});
-    for (AffineMap& map : maps_)
-      map.gradient = {};
+  void forget_boundaries() { std::fill(boundaries_.begin(), boundaries_.end(), Matrix2{}); }
+  void set_weight(Index wedge, double weight) { weights_[wedge] = weight; }
+  /// Sets the gradients of the components 2 · two and 2 · two + 1, in lengths.
+  void set_gradients(Index wedge, std::size_t two, Lanes x, Lanes y, Lanes z) {
+    float* const gradients = gradients_of(wedge, two / 2) + 2 * (two % 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      gradients[i] = static_cast<float>(x[i]);
+      gradients[4 + i] = static_cast<float>(y[i]);
+      gradients[8 + i] = static_cast<float>(z[i]);
+    }
   }
-  /// Joins a face to a wedge, at which it has the same values. Returns what they disagree about.
-  SymmetricMatrix<3> join_face(Index wedge, double weight, const std::vector<Vector<3>>& gradients,
-                               const std::vector<double>& squared_weights) {
-    SymmetricMatrix<3> difference;
-    if (weights_[wedge] == 0) { // the first one agrees with itself
-      for (std::size_t c = 0; c < components_; ++c)
-        maps_[wedge * components_ + c].gradient = gradients[c];
-      weights_[wedge] = weight;
-      return difference;
-    }
-    const double fraction = weight / (weights_[wedge] + weight);
-    for (std::size_t c = 0; c < components_; ++c) {
-      Vector<3>& gradient = maps_[wedge * components_ + c].gradient;
-      const Vector<3> off = gradients[c] - gradient;
-      difference +=
-          SymmetricMatrix<3>::outer_product(off, weights_[wedge] * fraction * squared_weights[c]);
-      gradient += fraction * off;
-    }
-    weights_[wedge] += weight;
+
+  const Matrix2& boundary(Index wedge) const { return boundaries_[wedge]; }
+  /// Returns what the texture coordinates of two wedges disagree about, about the first.
+  std::array<AffineMap, 2> texture_difference(Index first, Index second,
+                                              const Vector<3>& to_second) const {
+    const auto [x, y, z, off] = differences<2>(first, second, to_second, 0);
+    std::array<AffineMap, 2> difference;
+    for (std::size_t c = 0; c < 2; ++c)
+      difference[c] = {inverse_lengths_[c] * Vector<3>{x[c], y[c], z[c]},
+                       inverse_lengths_[c] * static_cast<double>(off[c])};
     return difference;
   }
-  /// The map of both, about the first, of one component.
-  AffineMap joined(Index first, Index second, const Vector<3>& to_second, std::size_t c) const {
+  /// Returns what two wedges `to_second` apart disagree about in `count` components of four.
+  template <std::size_t count>
+  QUADRILLE_ALWAYS_INLINE FourDifferences differences(Index first, Index second,
+                                                      const Vector<3>& to_second,
+                                                      std::size_t four) const {
+    const FourGradients p = gradients(first, four), q = gradients(second, four);
+    const auto apart = [&](std::size_t i) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+      const std::size_t c = 4 * four + 2 * i;
+      return load_two(&lengths_[c]) * (load_two(values(second) + c) - load_two(values(first) + c));
+    };
+    const FourFloats off = four_floats(apart(0), count > 2 ? apart(1) : Lanes{});
+    return {q.x - p.x, q.y - p.y, q.z - p.z, off - q.along(to_second)};
+  }
+  /// Joins four components of the wedges of two ends without boundaries, `to_second` apart, and
+  /// moves them to a target, given from the first. Equal values stay what they are.
+  QUADRILLE_ALWAYS_INLINE FourJoined joined(Index first, Index second, const Vector<3>& to_second,
+                                            const Vector<3>& target, std::size_t four) const {
     const double sum = weights_[first] + weights_[second];
     const double fraction = sum > 0 ? weights_[second] / sum : 0;
-    const AffineMap &one = maps(first)[c], &other = maps(second)[c];
-    return {one.gradient + fraction * (other.gradient - one.gradient),
-            one.value + fraction * (other.at(-1.0 * to_second) - one.value)};
+    const auto share = static_cast<float>(fraction);
+    const FourGradients p = gradients(first, four), q = gradients(second, four);
+    const FourGradients both{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y),
+                             p.z + share * (q.z - p.z)};
+    const FourFloats back = q.along(to_second), on = both.along(target);
+    FourJoined joined{both.x, both.y, both.z, {}};
+    const std::array<Lanes, 2> from = values_of_four(first, four),
+                               to = values_of_four(second, four);
+    const std::array<Lanes, 2> inverse = two_lanes(inverse_lengths_.data(), four);
+    for (std::size_t i = 0; i < 2; ++i)
+      joined.values[i] = from[i] + fraction * (to[i] - inverse[i] * lanes(back, i) - from[i]) +
+                         inverse[i] * lanes(on, i);
+    return joined;
   }
-  /// Joins the wedges of two ends without boundaries, `to_second` apart, and moves the map to a
-  /// target, given from the first: it is stored in `kept`, which is one of them.
+  /// Joins those wedges: the result is stored in `kept`, which is one of them.
   void join(Index first, Index second, const Vector<3>& to_second, const Vector<3>& target,
             Index kept, const std::vector<double>& squared_weights) {
     bool is_first = origins_[first] != none, is_second = origins_[second] != none;
-    for (std::size_t c = 0; c < components_; ++c) {
-      AffineMap map = joined(first, second, to_second, c);
-      map.value = map.at(target);
-      is_first = is_first && map.value == value(first, c);
-      is_second = is_second && map.value == value(second, c);
-      maps_[kept * components_ + c] = map;
+    for (std::size_t four = 0; four < fours(); ++four) {
+      const FourJoined both = joined(first, second, to_second, target, four);
+      is_first = is_first && are_equal(both.values, values_of_four(first, four));
+      is_second = is_second && are_equal(both.values, values_of_four(second, four));
+      float* const gradients = gradients_of(kept, four);
+      store_four(gradients, both.x);
+      store_four(gradients + 4, both.y);
+      store_four(gradients + 8, both.z);
+      double* const values = values_.data() + kept * values_of_wedge_ + 4 * four;
+      store_two(values, both.values[0]);
+      if (has_upper_two(four))
+        store_two(values + 2, both.values[1]);
     }
     weights_[kept] = weights_[first] + weights_[second];
     if (existing_.empty())
       origins_[kept] = is_first ? origins_[first] : is_second ? origins_[second] : none;
     else
-      origins_[kept] = closest({origins_[first], origins_[second]}, maps(kept), squared_weights);
+      origins_[kept] = closest({origins_[first], origins_[second]}, values(kept), squared_weights);
   }
   void constrain_boundaries() { boundaries_.resize(weights_.size()); }
 
@@ -152,14 +232,23 @@ public:
     map.weight = weights_[wedge];
     if (!boundaries_.empty())
       map.boundary = boundaries_[wedge];
-    map.maps.assign(maps(wedge), maps(wedge) + components_);
+    for (std::size_t c = 0; c < components_; ++c) {
+      const float* const gradient = gradients_of(wedge, c / 4) + c % 4;
+      map.maps.push_back({inverse_lengths_[c] * Vector<3>{gradient[0], gradient[4], gradient[8]},
+                          value(wedge, c)});
+    }
     return map;
   }
   void write(Index wedge, const WedgeMap& map) {
     weights_[wedge] = map.weight;
     if (!boundaries_.empty())
       boundaries_[wedge] = map.boundary;
-    std::copy(map.maps.begin(), map.maps.end(), maps_.data() + wedge * components_);
+    for (std::size_t c = 0; c < components_; ++c) {
+      value_of(wedge, c) = map.maps[c].value;
+      for (std::size_t i = 0; i < 3; ++i)
+        gradients_of(wedge, c / 4)[4 * i + c % 4] =
+            static_cast<float>(lengths_[c] * map.maps[c].gradient[i]);
+    }
   }
   void write(Index wedge, const WedgeMap& map, Index origin) {
     write(wedge, map);
@@ -173,7 +262,10 @@ public:
       WedgeList origins;
       for (Index wedge : wedges)
         origins.push_back(origins_[wedge]);
-      return closest(origins, map.maps.data(), squared_weights);
+      std::vector<double> values;
+      for (const AffineMap& component : map.maps)
+        values.push_back(component.value);
+      return closest(origins, values.data(), squared_weights);
     }
     const auto is_left = [&](Index wedge) { return has_values_of(wedge, map); };
     const auto found = std::find_if(wedges.begin(), wedges.end(), is_left);
@@ -182,7 +274,8 @@ public:
   /// Leaves out all wedges but those of a list, which get the numbers 0, 1, …
   void pack(const Array<Index>& left) {
     pack(weights_, left, 1);
-    pack(maps_, left, components_);
+    pack(values_, left, values_of_wedge_);
+    pack(gradients_, left, gradients_of_wedge_);
     pack(boundaries_, left, 1);
     pack(origins_, left, 1);
     pack(identities_, left, 1);
@@ -190,18 +283,57 @@ public:
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index wedge) const {
     internal::prefetch(&weights_[wedge]);
-    internal::prefetch(maps(wedge));
+    internal::prefetch(values(wedge));
+    internal::prefetch(gradients_of(wedge, 0));
   }
 
 private:
-  // Returns the value of the input that is closest to those of maps. It is used if only existing
+  struct FourGradients {
+    FourFloats x, y, z;
+
+    FourFloats along(const Vector<3>& displacement) const {
+      return static_cast<float>(displacement[0]) * x + static_cast<float>(displacement[1]) * y +
+             static_cast<float>(displacement[2]) * z;
+    }
+  };
+
+  const float* gradients_of(Index wedge, std::size_t four) const {
+    return gradients_.data() + wedge * gradients_of_wedge_ + 12 * four;
+  }
+  float* gradients_of(Index wedge, std::size_t four) {
+    return gradients_.data() + wedge * gradients_of_wedge_ + 12 * four;
+  }
+  double& value_of(Index wedge, std::size_t c) { return values_[wedge * values_of_wedge_ + c]; }
+
+  QUADRILLE_ALWAYS_INLINE FourGradients gradients(Index wedge, std::size_t four) const {
+    const float* const xyz = gradients_of(wedge, four);
+    return {load_four(xyz), load_four(xyz + 4), load_four(xyz + 8)};
+  }
+  // Have the four components more than two?
+  bool has_upper_two(std::size_t four) const { return 4 * four + 2 < values_of_wedge_; }
+  QUADRILLE_ALWAYS_INLINE std::array<Lanes, 2> two_lanes(const double* numbers,
+                                                         std::size_t four) const {
+    return {load_two(numbers + 4 * four),
+            has_upper_two(four) ? load_two(numbers + 4 * four + 2) : Lanes{}};
+  }
+  QUADRILLE_ALWAYS_INLINE std::array<Lanes, 2> values_of_four(Index wedge, std::size_t four) const {
+    return two_lanes(values(wedge), four);
+  }
+  static Lanes lanes(const FourFloats& four, std::size_t i) {
+    return Lanes{static_cast<double>(four[2 * i]), static_cast<double>(four[2 * i + 1])};
+  }
+  static bool are_equal(const std::array<Lanes, 2>& a, const std::array<Lanes, 2>& b) {
+    return a[0][0] == b[0][0] && a[0][1] == b[0][1] && a[1][0] == b[1][0] && a[1][1] == b[1][1];
+  }
+
+  // Returns the value of the input that is closest to some values. It is used if only existing
   // values are allowed.
-  Index closest(const WedgeList& origins, const AffineMap* maps,
+  Index closest(const WedgeList& origins, const double* values,
                 const std::vector<double>& squared_weights) const {
     const auto distance = [&](Index origin) {
       double sum = 0;
       for (std::size_t c = 0; c < components_; ++c) {
-        const double off = existing_[origin * components_ + c] - maps[c].value;
+        const double off = existing_[origin * components_ + c] - values[c];
         sum += squared_weights[c] * off * off;
       }
       return sum;
@@ -223,16 +355,21 @@ private:
   static void pack(Values& values, const Array<Index>& left, std::size_t size) {
     if (values.empty())
       return;
-    Values packed(left.size() * size, values.get_allocator());
+    Values packed(values.get_allocator());
+    packed.resize(left.size() * size);
     for (std::size_t i = 0; i < left.size(); ++i)
-      std::copy_n(&values[left[i] * size], size, &packed[i * size]);
+      for (std::size_t k = 0; k < size; ++k)
+        packed[i * size + k] = values[left[i] * size + k];
     values = std::move(packed);
   }
 
   std::size_t components_;
+  std::size_t gradients_of_wedge_, values_of_wedge_; // floats, doubles
+  std::vector<double> lengths_, inverse_lengths_;    // of an even number of components
   Array<double> weights_;
-  Array<AffineMap> maps_;  // one a component
-  Array<Matrix2> boundaries_; // empty if no chart is constrained
+  UninitializedArray<double> values_;
+  UninitializedArray<float> gradients_; // x of four components, then y and z
+  Array<Matrix2> boundaries_;           // empty if no chart is constrained
   Array<Index> origins_;
   Array<Index> identities_; // empty if they are not needed
   Array<double> existing_;  // the values of the input, if only these may be

@@ -42,12 +42,13 @@ public:
     const auto are_one = [&](Index face, Index i, Index other, Index j) {
       return are_equal(value_at(face, i), value_at(other, j));
     };
-    corners_.assign(complex.face_capacity(), Corners{none, none, none});
+    corners_.resize(complex.face_capacity());
+    for (Index face = 0; face < corners_.size(); ++face)
+      corners_[face] = complex.vertices(face); // the first wedges
     next_.assign(complex.vertex_capacity(), none);
     Fans fans;
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
       if (const Index value = sole_value(complex, v, value_at); value != none) {
-        complex.for_each_corner(v, [&](Index face, Index i) { corners_[face][i] = v; });
         found(v, value);
         continue;
       }
@@ -79,15 +80,20 @@ public:
   }
   /// The wedge of a face at one of its vertices.
   Index at(const TriangleComplex& complex, Index face, Index vertex) const {
-    return has_seams() ? corners_[face][place(complex.vertices(face), vertex)] : vertex;
+    return has_one(vertex) ? vertex : corners_[face][place(complex.vertices(face), vertex)];
   }
 
   /// All wedges of a vertex, the first one first.
   void append_all(WedgeList& wedges, Index vertex) const {
-    wedges.push_back(vertex);
+    for_each(vertex, [&](Index wedge) { wedges.push_back(wedge); });
+  }
+  /// Calls visit(wedge) for them.
+  template <class Visit>
+  void for_each(Index vertex, Visit visit) const {
+    visit(vertex);
     if (has_seams())
       for (Index w = next_[vertex]; w != none; w = next_[w])
-        wedges.push_back(w);
+        visit(w);
   }
 
   /// Calls visit(wedge at a, wedge at b) for each face of both.

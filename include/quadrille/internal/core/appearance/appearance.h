@@ -58,7 +58,7 @@ public:
   /// Accumulates its current values in the states of vertices.
   void accumulate() {
     if constexpr (has_channels)
-      channels_.accumulate(seams_.labels());
+      channels_.accumulate(seams_.labels(), policies_.threads);
     std::vector<std::array<Index, 2>> edges; // of two faces
     seams_.for_each_seam([&](Index v, Index w, const auto& sides) {
       if (sides.size() == 2)

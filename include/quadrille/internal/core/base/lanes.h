@@ -3,7 +3,9 @@
 
 #include <quadrille/internal/core/base/compiler.h>
 
+#include <array>
 #include <cstddef>
+#include <cstring>
 
 namespace quadrille::internal {
 
@@ -11,6 +13,9 @@ namespace quadrille::internal {
 
 /// Two doubles that are computed with at once, with what every 64-bit machine has for that.
 using Lanes = double __attribute__((vector_size(16)));
+
+/// Four floats that are computed with at once.
+using FourFloats = float __attribute__((vector_size(16)));
 
 /// The result of a comparison of Lanes.
 using LaneMask = decltype(Lanes{} < Lanes{});
@@ -62,7 +67,52 @@ inline Lanes select(LaneMask condition, Lanes a, Lanes b) {
   return {condition.first ? a.first : b.first, condition.second ? a.second : b.second};
 }
 
+/// Four floats, one after the other, to the same bits.
+struct FourFloats {
+  std::array<float, 4> floats;
+
+  float operator[](std::size_t i) const { return floats[i]; }
+
+  friend FourFloats operator+(FourFloats a, const FourFloats& b) {
+    for (std::size_t i = 0; i < 4; ++i)
+      a.floats[i] += b.floats[i];
+    return a;
+  }
+  friend FourFloats operator-(FourFloats a, const FourFloats& b) {
+    for (std::size_t i = 0; i < 4; ++i)
+      a.floats[i] -= b.floats[i];
+    return a;
+  }
+  friend FourFloats operator*(float factor, FourFloats a) {
+    for (float& x : a.floats)
+      x *= factor;
+    return a;
+  }
+};
+
 #endif
+
+/// Reads two or four numbers that need not be aligned, or writes them.
+QUADRILLE_ALWAYS_INLINE inline Lanes load_two(const double* numbers) {
+  Lanes lanes;
+  std::memcpy(&lanes, numbers, sizeof lanes);
+  return lanes;
+}
+QUADRILLE_ALWAYS_INLINE inline void store_two(double* numbers, Lanes lanes) {
+  std::memcpy(numbers, &lanes, sizeof lanes);
+}
+QUADRILLE_ALWAYS_INLINE inline FourFloats load_four(const float* numbers) {
+  FourFloats four;
+  std::memcpy(&four, numbers, sizeof four);
+  return four;
+}
+QUADRILLE_ALWAYS_INLINE inline void store_four(float* numbers, const FourFloats& four) {
+  std::memcpy(numbers, &four, sizeof four);
+}
+QUADRILLE_ALWAYS_INLINE inline FourFloats four_floats(Lanes low, Lanes high) {
+  return FourFloats{static_cast<float>(low[0]), static_cast<float>(low[1]),
+                    static_cast<float>(high[0]), static_cast<float>(high[1])};
+}
 
 /// This function of one number, so that one formula serves numbers and lanes.
 inline double select(bool condition, double a, double b) {

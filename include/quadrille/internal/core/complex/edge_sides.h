@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -44,10 +45,13 @@ public:
   /// Calls visit(other, sides) for each edge, in the order of the other ends.
   template <class Visit>
   void for_each(Visit visit) {
-    std::sort(sides_.begin(), sides_.end());
+    const auto key = [](const Side& side) { return std::uint64_t{side.first} << 32 | side.second; };
+    std::sort(sides_.begin(), sides_.end(),
+              [key](const Side& a, const Side& b) { return key(a) < key(b); });
     for (auto side = sides_.begin(); side != sides_.end();) {
-      const auto end = std::find_if(
-          side, sides_.end(), [w = side->first](const auto& next) { return next.first != w; });
+      auto end = side + 1;
+      while (end != sides_.end() && end->first == side->first)
+        ++end;
       visit(side->first, std::span<const Side>(&*side, static_cast<std::size_t>(end - side)));
       side = end;
     }
