@@ -22,6 +22,8 @@ enum vertex_attribute_t { vertex_attribute };
 enum vertex_quadric_t { vertex_quadric };
 /// The tag of vertex_to_vertex_map().
 enum vertex_to_vertex_t { vertex_to_vertex };
+/// The tag of face_to_face_map().
+enum face_to_face_t { face_to_face };
 /// The tag of duplicate_output_iterator().
 enum duplicate_output_t { duplicate_output };
 /// The tag of face_is_selected_map().
@@ -105,6 +107,11 @@ public:
   template <class Map>
   auto vertex_to_vertex_map(const Map& map) const {
     return then<vertex_to_vertex_t>(map);
+  }
+  /// Appends face_to_face_map().
+  template <class Map>
+  auto face_to_face_map(const Map& map) const {
+    return then<face_to_face_t>(map);
   }
   /// Appends duplicate_output_iterator().
   template <class Iterator>
@@ -251,7 +258,8 @@ auto vertex_importance_map(const Map& map, const Before&... before) {
   return chain<vertex_importance_t>(map, before...);
 }
 
-/// The value that stands for a removed vertex: see vertex_to_vertex_map.
+/// The value that stands for a removed vertex or triangle: see vertex_to_vertex_map and
+/// face_to_face_map.
 inline constexpr std::size_t vanished = ~std::size_t{0};
 
 /// A property map that `simplify` writes for each vertex of the input: the vertex that it was
@@ -266,6 +274,16 @@ inline constexpr std::size_t vanished = ~std::size_t{0};
 template <class Map, class... Before>
 auto vertex_to_vertex_map(const Map& map, const Before&... before) {
   return chain<vertex_to_vertex_t>(map, before...);
+}
+
+/// A property map that `simplify` writes for each face of the input: the face of the result that
+/// it has become. For a mesh it maps faces to faces: a face that is left keeps its descriptor, and
+/// one that is not has null_face() of its graph traits. For a soup it maps old to new indices of
+/// triangles, both std::size_t, with `vanished` for those that are gone. Its inverse lists the
+/// birth face of each face of the result. Keys are as for vertex_to_vertex_map.
+template <class Map, class... Before>
+auto face_to_face_map(const Map& map, const Before&... before) {
+  return chain<face_to_face_t>(map, before...);
 }
 
 /// An output iterator that receives the vertices added to a mesh to represent a non-manifold

@@ -82,8 +82,8 @@ inline namespace QUADRILLE_THREADING {
 /// channels (`simplified(mesh, Texture{uv})` writes the copy's property of the same name), and maps
 /// without state, which read the element itself. If vertices have the same numbers in a copy
 /// (Surface_mesh, OpenMesh), this includes all other maps that are only read: constraints, creases,
-/// labels, indices. Other maps do not compile, nor do vertex_to_vertex_map, vertex_quadric_map and
-/// duplicate_output_iterator: there copy the mesh and call `simplify`.
+/// labels, indices. Other maps do not compile, nor do vertex_to_vertex_map, face_to_face_map,
+/// vertex_quadric_map and duplicate_output_iterator: there copy the mesh and call `simplify`.
 ///
 /// Throws whatever `simplify` or copying throws.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,

@@ -87,6 +87,7 @@ inline namespace QUADRILLE_THREADING {
 ///   AttributeQuadric
 /// - vertex_quadric_map: output, the quadrics of the remaining vertices
 /// - vertex_to_vertex_map: output, the vertex that each input vertex has become
+/// - face_to_face_map: output, the face that each input face has become, if it is left
 /// - duplicate_output_iterator: receives the duplicated vertices of a non-manifold result
 ///
 /// A named parameter that nothing in the call reads is a compile-time error. The exceptions are
@@ -107,9 +108,9 @@ inline namespace QUADRILLE_THREADING {
 /// missing attributes or attributes whose range is too large or too small to be weighted against
 /// positions, or an invalid policy; std::length_error above 2³⁰ faces; and whatever the user's
 /// maps, policies and visitors throw. If it throws, the mesh is unchanged. Values written to maps
-/// are restored where the maps allow it, except in the pure output maps vertex_quadric_map and
-/// vertex_to_vertex_map. Added vertices are removed again; a mesh that marks removed elements may
-/// count them as garbage.
+/// are restored where the maps allow it, except in the pure output maps vertex_quadric_map,
+/// vertex_to_vertex_map and face_to_face_map. Added vertices are removed again; a mesh that marks
+/// removed elements may count them as garbage.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {

@@ -162,6 +162,60 @@ TEST_CASE("A vertex without a face has vanished") {
   CHECK(of_mesh[Mesh::Vertex_index(5)] == Mesh::Vertex_index(5));
 }
 
+// --- What became of each face --------------------------------------------------------------------
+
+namespace {
+
+// Is each triangle of the result the one of the input that the map names, by what its vertices have
+// become?
+template <class... Arguments>
+void check_faces_of_soup(const Soup& input, const Arguments&... arguments) {
+  PointSoup soup(input);
+  std::vector<std::size_t> vertex(input.points.size()), face(input.triangles.size(), 12345);
+  simplify(soup.points, soup.triangles, arguments...,
+           parameters::face_to_face_map(
+               CGAL::make_property_map(face),
+               parameters::vertex_to_vertex_map(CGAL::make_property_map(vertex))));
+  std::size_t left = 0;
+  for (std::size_t f = 0; f < face.size(); ++f) {
+    if (face[f] == parameters::vanished)
+      continue;
+    ++left;
+    REQUIRE(face[f] < soup.triangles.size());
+    for (std::size_t i = 0; i < 3; ++i)
+      REQUIRE(soup.triangles[face[f]][i] == vertex[input.triangles[f][i]]);
+  }
+  CHECK(left == soup.triangles.size());
+  CHECK(std::set<std::size_t>(face.begin(), face.end()).size() == left + (left < face.size()));
+}
+
+} // namespace
+
+TEST_CASE("face_to_face_map tells which triangle of a soup each triangle has become") {
+  const Soup soup = with_holes(with_noise(torus(60, 40), 1, 0.01), 1, 20);
+  check_faces_of_soup(soup, FaceRatio{1});
+  check_faces_of_soup(soup, FaceRatio{0.1});
+  check_faces_of_soup(soup, FaceRatio{0.1}, RelaxedOrder{});
+  check_faces_of_soup(soup, FaceRatio{0.1}, Topology::free);
+}
+
+TEST_CASE("face_to_face_map maps faces of a mesh that are left to themselves, others to none") {
+  using Face = Mesh::Face_index;
+  Mesh mesh = make_mesh(with_noise(torus(60, 40), 1, 0.01));
+  const std::size_t before = mesh.number_of_faces();
+  std::map<Face, Face> becomes;
+  simplify(mesh, FaceRatio{0.1},
+           parameters::face_to_face_map(boost::make_assoc_property_map(becomes)));
+  CHECK(becomes.size() == before);
+  std::size_t left = 0;
+  for (const auto& [face, now] : becomes) {
+    CHECK((now == face || now == Mesh::null_face()));
+    CHECK((now == face) == !mesh.is_removed(face));
+    left += now == face;
+  }
+  CHECK(left == mesh.number_of_faces());
+}
+
 // --- Attribute maps ------------------------------------------------------------------------------
 
 TEST_CASE("Attributes with too few components are refused before anything is changed") {
@@ -214,6 +268,7 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
     CHECK(get_parameter(named, parameters::vertex_importance) == 10);
     CHECK(get_parameter(named, parameters::vertex_to_vertex) == 11);
     CHECK(get_parameter(named, parameters::duplicate_output) == 12);
+    CHECK(get_parameter(named, parameters::face_to_face) == 14);
     CHECK(get_parameter(named, np::vertex_point) == 13);
   };
   using namespace parameters;
@@ -229,8 +284,10 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
             .vertex_importance_map(10)
             .vertex_to_vertex_map(11)
             .duplicate_output_iterator(12)
+            .face_to_face_map(14)
             .vertex_point_map(13));
   check(duplicate_output_iterator(12, vertex_to_vertex_map(11)
+                                          .face_to_face_map(14)
                                           .vertex_importance_map(10)
                                           .vertex_quadric_map(9)
                                           .vertex_attribute_map(8)

@@ -161,15 +161,15 @@ public:
     return input;
   }
 
-  template <class Result, class Notify>
-  std::size_t write(const Result& result, const Notify&) {
+  template <class Result, class AnyReporter>
+  std::size_t write(const Result& result, const AnyReporter&) {
     const Array<Index> inputs = result.input_vertices();
     const Array<Index> vertices = in_order(inputs, result.input_vertex_count());
     const Array<Index> new_index = places(vertices, vertices.size());
     for (Index v : vertices) {
       result_.positions.push_back(position(result, v, inputs[v]));
       result_.vertices.push_back(inputs[v]);
-      if constexpr (Notify::asks_for_states)
+      if constexpr (AnyReporter::asks_for_states)
         result_.states.push_back(gained(result.state(v), inputs[v]));
     }
     if constexpr (has_channels)

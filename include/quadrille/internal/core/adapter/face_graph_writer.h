@@ -204,6 +204,8 @@ private:
           result, left_.size(), [this](Index v) { return vertices_[left_[v]]; }, chosen_);
       if constexpr (AnyReporter::asks_for_vertex_map)
         report_vertex_map(result, reporter);
+      if constexpr (AnyReporter::asks_for_face_map)
+        report_face_map(reporter);
       add_duplicates(mesh_, originals, added);
       for (std::size_t i = 0; i < added.size(); ++i) {
         left_.push_back(vertices_.add(added[i]));
@@ -230,6 +232,14 @@ private:
       reporter.map_vertex(vertices_[v],
                           number == none ? Traits::null_vertex() : vertices_[left_[number]]);
     }
+  }
+
+  template <class AnyReporter>
+  void report_face_map(AnyReporter& reporter) const {
+    for (Face f : faces_)
+      reporter.map_face(f, f);
+    for (Face f : doomed_faces_)
+      reporter.map_face(f, Traits::null_face());
   }
 
   void write_position(Vertex v, const Vector<dimension>& position, Undo& undo) {

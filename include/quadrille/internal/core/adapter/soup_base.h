@@ -7,6 +7,7 @@
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/packing.h>
 #include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -25,6 +26,21 @@ inline Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {
   Array<Index> order = places(inputs, count);
   std::erase(order, none);
   return order;
+}
+
+/// Returns the faces of a result in the order of their inputs, which are below `count`, and reports
+/// which of them each face of the input has become.
+template <class AnyReporter>
+Array<Index> ordered_faces(const Array<Index>& inputs, std::size_t count, AnyReporter& reporter) {
+  const Array<Index> faces = in_order(inputs, count);
+  if constexpr (AnyReporter::asks_for_face_map) {
+    std::vector<std::size_t> map(count, parameters::vanished);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      map[inputs[faces[f]]] = f;
+    for (std::size_t input = 0; input < count; ++input)
+      reporter.map_face(input, map[input]);
+  }
+  return faces;
 }
 
 /// Puts points and triangles that have been built in the place of those of a soup, and calls

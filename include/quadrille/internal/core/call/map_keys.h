@@ -46,7 +46,8 @@ constexpr bool check_keys() {
                            decltype(attribute_name<Cost>()), parameters::vertex_tolerance_t,
                            parameters::vertex_importance_t, parameters::vertex_is_shared_t,
                            parameters::vertex_to_vertex_t, parameters::vertex_quadric_t>;
-  using OfFaces = Names<parameters::face_is_selected_t, np::face_patch_t>;
+  using OfFaces =
+      Names<parameters::face_is_selected_t, parameters::face_to_face_t, np::face_patch_t>;
   constexpr bool vertices_fit = take_key<Vertex, NamedParameters>(OfVertices());
   constexpr bool faces_fit = take_key<Face, NamedParameters>(OfFaces());
   constexpr bool labels_fit = [] {
@@ -59,8 +60,8 @@ constexpr bool check_keys() {
                 "A named parameter vertex_..._map has the wrong keys: they have to be the vertices "
                 "of the mesh, or the indices of the points of a soup.");
   static_assert(faces_fit,
-                "face_is_selected_map or face_patch_map has the wrong keys: they have to be the "
-                "faces of the mesh, or the indices of the triangles of a soup.");
+                "face_is_selected_map, face_to_face_map or face_patch_map has the wrong keys: they "
+                "have to be the faces of the mesh, or the indices of the triangles of a soup.");
   static_assert(
       labels_fit,
       "The map of Labels has the wrong keys: they have to be the faces of the mesh, or the "

@@ -77,15 +77,16 @@ using ReadNames =
 using WrittenNames = Names<CGAL::internal_np::vertex_point_t, CGAL::internal_np::vertex_color_map_t,
                            CGAL::internal_np::vertex_texture_map_t,
                            CGAL::internal_np::vertex_normal_map_t, parameters::vertex_attribute_t>;
-using NamesOfResult = Names<parameters::vertex_to_vertex_t, parameters::vertex_quadric_t,
-                            parameters::duplicate_output_t>;
+using NamesOfResult = Names<parameters::vertex_to_vertex_t, parameters::face_to_face_t,
+                            parameters::vertex_quadric_t, parameters::duplicate_output_t>;
 
 template <class Tag, class T, class Mesh>
 T value_of_copy(const T& value, const Mesh& mesh, Mesh& copy) {
-  static_assert(!NamesOfResult::contains<Tag>,
-                "quadrille::simplified: vertex_to_vertex_map, vertex_quadric_map and "
-                "duplicate_output_iterator refer to vertices, which are renumbered when garbage is "
-                "collected from the copy: copy the mesh and call simplify.");
+  static_assert(
+      !NamesOfResult::contains<Tag>,
+      "quadrille::simplified: vertex_to_vertex_map, face_to_face_map, vertex_quadric_map and "
+      "duplicate_output_iterator refer to elements that are renumbered when garbage is "
+      "collected from the copy: copy the mesh and call simplify.");
   if constexpr (ReadNames::contains<Tag> || WrittenNames::contains<Tag>)
     return map_of_copy<WrittenNames::contains<Tag>>(value, mesh, copy);
   else

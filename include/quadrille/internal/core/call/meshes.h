@@ -200,7 +200,8 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
       Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
             np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
             parameters::edge_is_crease_t, parameters::edge_is_boundary_t,
-            parameters::vertex_to_vertex_t, parameters::duplicate_output_t>());
+            parameters::vertex_to_vertex_t, parameters::face_to_face_t,
+            parameters::duplicate_output_t>());
   if constexpr (check_keys_of_mesh<Mesh, Cost, Carried, NamedParameters>())
     return simplify_mesh_with_maps(mesh, policies, carried, named);
   else
@@ -271,7 +272,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   check_named<Cost, NamedParameters>(
       Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
             parameters::edge_is_boundary_t, parameters::boundary_edges_t,
-            parameters::vertex_to_vertex_t>());
+            parameters::vertex_to_vertex_t, parameters::face_to_face_t>());
   if constexpr (check_keys_of_soup<Cost, Carried, NamedParameters>())
     return simplify_soup_with_maps(points, triangles, policies, carried, named);
   else
