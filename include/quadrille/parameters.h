@@ -20,10 +20,12 @@ enum edge_is_crease_t { edge_is_crease };
 enum vertex_attribute_t { vertex_attribute };
 /// The tag of vertex_quadric_map().
 enum vertex_quadric_t { vertex_quadric };
-/// The tag of vertex_to_vertex_map().
-enum vertex_to_vertex_t { vertex_to_vertex };
-/// The tag of face_to_face_map().
-enum face_to_face_t { face_to_face };
+/// The tag of vertex_to_vertex_map(), which is that of CGAL.
+using vertex_to_vertex_t = CGAL::internal_np::vertex_to_vertex_map_t;
+inline constexpr vertex_to_vertex_t vertex_to_vertex = CGAL::internal_np::vertex_to_vertex_map;
+/// The tag of face_to_face_map(), which is that of CGAL.
+using face_to_face_t = CGAL::internal_np::face_to_face_map_t;
+inline constexpr face_to_face_t face_to_face = CGAL::internal_np::face_to_face_map;
 /// The tag of duplicate_output_iterator().
 enum duplicate_output_t { duplicate_output };
 /// The tag of face_is_selected_map().
@@ -44,8 +46,8 @@ enum bounding_box_t { bounding_box_tag };
 /// The tag of coordinates_are_floats().
 enum coordinates_are_floats_t { coordinates_are_floats_tag };
 
-/// A chain of named parameters whose last one belongs to this library: each of the functions below
-/// is a member too, which appends its parameter to the chain, and so are those of CGAL.
+/// A chain of named parameters that began with one of this library: each of the functions below is
+/// a member too, which appends its parameter to the chain, and so is each of CGAL's, in any order.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 class Chain : public CGAL::Named_function_parameters<T, Tag, Base> {
 public:
@@ -103,21 +105,29 @@ public:
   auto vertex_importance_map(const Map& map) const {
     return then<vertex_importance_t>(map);
   }
-  /// Appends vertex_to_vertex_map().
-  template <class Map>
-  auto vertex_to_vertex_map(const Map& map) const {
-    return then<vertex_to_vertex_t>(map);
-  }
-  /// Appends face_to_face_map().
-  template <class Map>
-  auto face_to_face_map(const Map& map) const {
-    return then<face_to_face_t>(map);
-  }
   /// Appends duplicate_output_iterator().
   template <class Iterator>
   auto duplicate_output_iterator(const Iterator& iterator) const {
     return then<duplicate_output_t>(iterator);
   }
+
+  // CGAL's own names, vertex_to_vertex_map and face_to_face_map among them, which its list declares
+  // by this macro; those that it declares by others end the members of this library.
+#define CGAL_add_named_parameter(Name, Variable, function)                                         \
+  template <class Value>                                                                           \
+  auto function(const Value& value) const {                                                        \
+    return then<CGAL::internal_np::Name>(value);                                                   \
+  }
+#define CGAL_add_named_parameter_with_compatibility(Name, Variable, function)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(Name, Variable, function)
+#define CGAL_add_named_parameter_with_compatibility_ref_only(Name, Variable, function)
+#define CGAL_add_extra_named_parameter_with_compatibility(Name, Variable, function)
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_add_extra_named_parameter_with_compatibility
 
 private:
   template <class Next, class Value>

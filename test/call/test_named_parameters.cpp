@@ -214,6 +214,12 @@ TEST_CASE("face_to_face_map maps faces of a mesh that are left to themselves, ot
     left += now == face;
   }
   CHECK(left == mesh.number_of_faces());
+
+  Mesh other = make_mesh(with_noise(torus(60, 40), 1, 0.01)); // CGAL has this name as well
+  std::map<Face, Face> by_cgals_name;
+  simplify(other, FaceRatio{0.1},
+           CGAL::parameters::face_to_face_map(boost::make_assoc_property_map(by_cgals_name)));
+  CHECK(by_cgals_name == becomes);
 }
 
 // --- Attribute maps ------------------------------------------------------------------------------
@@ -252,7 +258,7 @@ TEST_CASE("CGAL's names of the graph are allowed where nothing reads them") {
 
 // --- Chains --------------------------------------------------------------------------------------
 
-TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours") {
+TEST_CASE("Each of our names can follow each other one, and CGAL's stand anywhere after the first") {
   namespace np = CGAL::internal_np;
   using CGAL::parameters::get_parameter;
   const auto check = [](const auto& named) {
@@ -286,6 +292,20 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
             .duplicate_output_iterator(12)
             .face_to_face_map(14)
             .vertex_point_map(13));
+  check(edge_is_crease_map(1)
+            .vertex_point_map(13)
+            .face_is_selected_map(2)
+            .face_to_face_map(14)
+            .vertex_tolerance_map(3)
+            .vertex_is_shared_map(4)
+            .edge_is_boundary_map(5)
+            .vertex_to_vertex_map(11)
+            .boundary_edges(6)
+            .bounding_box({0, 0, 0, 7, 7, 7})
+            .vertex_attribute_map(8)
+            .vertex_quadric_map(9)
+            .vertex_importance_map(10)
+            .duplicate_output_iterator(12));
   check(duplicate_output_iterator(12, vertex_to_vertex_map(11)
                                           .face_to_face_map(14)
                                           .vertex_importance_map(10)
