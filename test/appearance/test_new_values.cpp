@@ -152,7 +152,7 @@ TEST_CASE("Weights of a skin are at least 0 and have the sum 1") {
       CHECK(least >= 0);
     else
       CHECK(least < 0); // else this says nothing
-    CHECK(furthest < 1e-12);
+    CHECK(furthest < (are_weights ? 1e-12 : 1e-7)); // gradients are floats
   }
 }
 
