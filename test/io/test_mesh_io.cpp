@@ -171,7 +171,7 @@ TEST_CASE("Broken OFF files are refused with their place", "[mesh_io]") {
       {"PLY\n", "a.off:1: not a three-dimensional OFF file: it starts with 'PLY'"},
       {"nOFF\n4\n", "a.off:1: not a three-dimensional OFF file: it starts with 'nOFF'"},
       {"OFF BINARY\n", "a.off:1: binary OFF is not supported"},
-      {"OFF\n\0", "a.off:1: the file ends before the counts are expected"},
+      {"OFF\n\0", "a.off:1: the file ends before the counts"},
       {"OFF\n3\n", "a.off:2: the line ends before the next face count"},
       {"OFF\n3 x 0\n", "a.off:2: face count 'x' is not an integer"},
       {"OFF\n-3 1 0\n", "a.off:2: vertex count -3 is negative"},

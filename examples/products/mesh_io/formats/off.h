@@ -54,7 +54,7 @@ private:
     if (length > 0)
       read_keyword(word.substr(0, length));
     if (lines_.at_line_end() && !lines_.next_line())
-      lines_.fail("the file ends where the counts are expected");
+      lines_.fail("the file ends before the counts");
     require_text(*source_);
     vertex_count_ = read_count("vertex count");
     face_count_ = read_count("face count"); // the edge count may be missing, and nothing needs it
