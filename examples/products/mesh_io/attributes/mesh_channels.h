@@ -76,6 +76,9 @@ public:
     for (const Channel& channel : channels)
       soup.channels.push_back(channel.view);
     quadrille::SoupResult result = quadrille::simplified_soup(soup, options);
+    const bool are_inputs = options.placement == quadrille::SoupOptions::Placement::endpoint;
+    if (are_inputs && !patches_) // each point that is left is the nearest of those that became it
+      take_inputs(quadrille_examples::nearest_vertices(points, result.vertex_map, result.points));
     for (std::size_t i = 0; i < channels.size(); ++i)
       channels[i].take(std::move(result.channels[i]));
     mesh_.points = mesh_points(result.points);
@@ -83,8 +86,10 @@ public:
     if (patches_) {
       restore_seams(patches_->nearest(mesh_, result.vertex_map, result.input_faces));
     } else {
-      mesh_.colors = colors_.of_points(mesh_);
-      mesh_.texture_coordinates = textures_.of_points(mesh_);
+      if (!are_inputs) {
+        mesh_.colors = colors_.of_points(mesh_);
+        mesh_.texture_coordinates = textures_.of_points(mesh_);
+      }
       numbers_.restore(mesh_, result.vertex_map);
     }
     take_faces(mesh_, result.input_faces);
@@ -98,6 +103,12 @@ private:
     quadrille::SoupChannelView view;
     std::function<void(quadrille::SoupChannel)> take;
   };
+
+  /// Takes the colours and texture coordinates of these points of the input.
+  void take_inputs(const std::vector<std::uint32_t>& points) {
+    mesh_.colors = colors_.of_inputs(points);
+    mesh_.texture_coordinates = textures_.of_inputs(points);
+  }
 
   /// Of each corner the values of its side; `nearest` names an old one of these.
   void restore_seams(const std::vector<std::array<std::uint32_t, 3>>& nearest) {

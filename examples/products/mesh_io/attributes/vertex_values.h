@@ -58,6 +58,14 @@ struct VertexValues {
     return result;
   }
 
+  /// Returns the values of the points that these numbers name, if `corners` is as it was.
+  std::vector<std::array<double, N>> of_inputs(const std::vector<std::uint32_t>& points) const {
+    std::vector<std::array<double, N>> result;
+    for (std::size_t i = 0; i < points.size() && !empty(); ++i)
+      result.push_back(scaled(corners.values[points[i]], -exponent_));
+    return result;
+  }
+
   CornerValues<N> corners;
 
 private:

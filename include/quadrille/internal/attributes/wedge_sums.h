@@ -26,9 +26,9 @@ inline constexpr std::size_t squares_in_row = 8; // with the weight
 /// The row of a face: the gradients of a channel in lengths. `known_twos`: how many times two
 /// components there are; 0, if only the run of the program shows.
 template <std::size_t known_twos>
-class FaceRow {
+class FaceGradients {
 public:
-  explicit FaceRow(std::size_t components) {
+  explicit FaceGradients(std::size_t components) {
     if constexpr (known_twos == 0)
       row_.resize(squares_in_row + 6 * ((components + 1) / 2));
   }
@@ -81,7 +81,7 @@ private:
 template <std::size_t known_twos>
 class WedgeSums {
 public:
-  using Row = FaceRow<known_twos>;
+  using Row = FaceGradients<known_twos>;
 
   WedgeSums(std::size_t wedges, std::size_t components, Arena* arena)
       : size_(Row(components).size()), rows_(arena) {
