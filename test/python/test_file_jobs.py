@@ -144,7 +144,7 @@ class Jobs(Folder):
         with self.assertRaisesRegex(OSError, "has no job in it"):
             job.simplify(0)
         job.partition()
-        with self.assertRaisesRegex(RuntimeError, "part 0 of phase 1 has not been simplified"):
+        with self.assertRaisesRegex(RuntimeError, "chunk 0 of phase 1 has not been simplified"):
             job.close()
         with self.assertRaisesRegex(IndexError, "the phase has 4"):
             job.simplify(4)

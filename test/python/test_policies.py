@@ -168,7 +168,7 @@ class Functions(unittest.TestCase):
                                       ("cost", "dear", "cost returned 'dear', not a number"),
                                       ("cost", None, "cost returned None, not a number"),
                                       ("cost", -1, "cost returned -1, which is negative or not finite"),
-                                      ("cost", float("nan"), "cost returned nan, not a number of")):
+                                      ("cost", float("nan"), "cost returned nan, which is negative or not finite")):
             with self.subTest(name, answer=answer), self.assertRaisesRegex(ValueError, message):
                 quadrille.simplify(points, faces, **{name: lambda _: answer})
         for name in ("filter", "stop", "progress"):

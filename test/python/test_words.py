@@ -72,7 +72,7 @@ class Words(unittest.TestCase):
         self.assertIn("faces=250", self.answered("face_count", face_count=250))
         self.assertEqual(self.answered("", zebra=3), "simplify() has no argument 'zebra'")
         self.answered("did you mean placement=", placment="optimal")
-        self.answered("it is both_ways=", bothWays=True)
+        self.answered("its name is both_ways=", bothWays=True)
 
     def test_numbers_without_a_name(self):
         self.answered("faces=500", self.points, self.faces, 500)
@@ -204,7 +204,7 @@ class MissedTargets(unittest.TestCase):
 
     def test_parts(self):
         told = self.warned(*tetrahedra(20), faces=10)
-        self.assertIn("where faces=10 was asked for (all pairs rejected)", told)
+        self.assertIn("but faces=10 was asked for (all pairs rejected)", told)
         self.assertIn("20 components are left, and each keeps some faces: topology='components_may_vanish'", told)
         self.assertEqual(self.warned(*tetrahedra(20), faces=10, topology="components_may_vanish"), "")
         told = self.warned(*tetrahedra(3), faces=4, topology="components_may_vanish")  # large ones stay
