@@ -278,6 +278,18 @@ TEST_CASE("Maps name the points of the input, and added points come behind them"
   CHECK(added <= 3);
 }
 
+TEST_CASE("The map of faces names those of the input, and not those of cuts") {
+  const Soup input = two_tunnels();
+  PointSoup soup(input);
+  std::vector<std::size_t> faces(input.triangles.size() + 8, 7777);
+  const Report report =
+      simplify(soup.points, soup.triangles, FaceCount{24}, SimplifiedTopology{1.5},
+               parameters::face_to_face_map(CGAL::make_property_map(faces)));
+  CHECK(report.cut_handles == 1);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    CHECK((faces[f] == 7777) == (f >= input.triangles.size()));
+}
+
 TEST_CASE("Edges are counted with those of cuts") {
   const auto [result, report] = simplified(two_tunnels(), EdgeCount{36}, SimplifiedTopology{1.5});
   CHECK(report.cut_handles == 1);

@@ -80,7 +80,7 @@ public:
                   "quadrille::simplify: vertex_to_vertex_map does not go with SplitVertices: a "
                   "point may become several.");
     const Array<Index> inputs = result.input_faces();
-    const Array<Index> faces = ordered_faces(inputs, result.input_face_count(), reporter);
+    const Array<Index> faces = ordered_faces(result, inputs, reporter);
     const SplitPoints split(result, faces, inputs, triangles_, channels_.of_points());
     require_room(split);
     auto points = empty_like(points_);

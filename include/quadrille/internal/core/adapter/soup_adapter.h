@@ -92,7 +92,7 @@ public:
       report_vertex_map(result, places(inputs, result.input_vertex_count()), new_index, reporter);
     auto triangles = empty_like(triangles_);
     const Array<Index> input_faces = result.input_faces();
-    const Array<Index> faces = ordered_faces(input_faces, result.input_face_count(), reporter);
+    const Array<Index> faces = ordered_faces(result, input_faces, reporter);
     for (Index face : faces)
       triangles.push_back(renumbered(
           triangles_[result.original_face(input_faces[face])],

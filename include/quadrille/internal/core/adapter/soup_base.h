@@ -28,16 +28,17 @@ inline Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {
   return order;
 }
 
-/// Returns the faces of a result in the order of their inputs, which are below `count`, and reports
-/// which of them each face of the input has become.
-template <class AnyReporter>
-Array<Index> ordered_faces(const Array<Index>& inputs, std::size_t count, AnyReporter& reporter) {
-  const Array<Index> faces = in_order(inputs, count);
+/// Returns the faces of a result in the order of their inputs, and reports which of them each face
+/// of the input has become. The faces of cuts are none of these.
+template <class Result, class AnyReporter>
+Array<Index> ordered_faces(const Result& result, const Array<Index>& inputs,
+                           AnyReporter& reporter) {
+  const Array<Index> faces = in_order(inputs, result.input_face_count());
   if constexpr (AnyReporter::asks_for_face_map) {
-    std::vector<std::size_t> map(count, parameters::vanished);
+    std::vector<std::size_t> map(result.input_face_count(), parameters::vanished);
     for (std::size_t f = 0; f < faces.size(); ++f)
       map[inputs[faces[f]]] = f;
-    for (std::size_t input = 0; input < count; ++input)
+    for (std::size_t input = 0; input < result.original_face_count(); ++input)
       reporter.map_face(input, map[input]);
   }
   return faces;
