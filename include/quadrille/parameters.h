@@ -22,9 +22,11 @@ enum vertex_attribute_t { vertex_attribute };
 enum vertex_quadric_t { vertex_quadric };
 /// The tag of vertex_to_vertex_map(), which is that of CGAL.
 using vertex_to_vertex_t = CGAL::internal_np::vertex_to_vertex_map_t;
+/// The value of this tag.
 inline constexpr vertex_to_vertex_t vertex_to_vertex = CGAL::internal_np::vertex_to_vertex_map;
 /// The tag of face_to_face_map(), which is that of CGAL.
 using face_to_face_t = CGAL::internal_np::face_to_face_map_t;
+/// The value of this tag.
 inline constexpr face_to_face_t face_to_face = CGAL::internal_np::face_to_face_map;
 /// The tag of duplicate_output_iterator().
 enum duplicate_output_t { duplicate_output };
@@ -113,6 +115,7 @@ public:
 
   // CGAL's own names, vertex_to_vertex_map and face_to_face_map among them, which its list declares
   // by this macro; those that it declares by others end the members of this library.
+  /// \cond
 #define CGAL_add_named_parameter(Name, Variable, function)                                         \
   template <class Value>                                                                           \
   auto function(const Value& value) const {                                                        \
@@ -128,6 +131,7 @@ public:
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 #undef CGAL_add_extra_named_parameter_with_compatibility
+  /// \endcond
 
 private:
   template <class Next, class Value>

@@ -24,6 +24,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/** \def QUADRILLE_C
+ * Marks a function that the library exports. */
 #if defined(_WIN32) && defined(QUADRILLE_C_BUILDS)
 #define QUADRILLE_C __declspec(dllexport)
 #elif defined(_WIN32) && defined(QUADRILLE_C_IS_SHARED)
@@ -84,7 +86,7 @@ typedef struct quadrille_array {
 
 /** A row of the table of options. */
 typedef struct quadrille_option {
-  const char* name;
+  const char* name;       /**< the name, as functions take it */
   const char* kind;       /**< count, number, flag, word, numbers, point_numbers, … */
   const char* range;      /**< as "[0, inf)"; empty: any */
   const char* fallback;   /**< the default; empty: none */
@@ -101,7 +103,7 @@ QUADRILLE_C const quadrille_option* quadrille_option_at(int32_t of_channels, siz
 
 /** A value of an option whose kind is word. */
 typedef struct quadrille_word {
-  const char* word;
+  const char* word;     /**< the value, as quadrille_set_text() takes it */
   const char* sentence; /**< the description */
 } quadrille_word;
 
@@ -140,6 +142,7 @@ QUADRILLE_C int32_t quadrille_set_text(quadrille_call* call, const char* name, c
 /** Adds a channel of attributes, whose options are then set by the functions below. Its arrays are
  * read as points are.
  *
+ * \param call  the call
  * \param kind  texture, normals, colors or attributes
  * \param values  a row for each value
  * \param corners  for each triangle the values of its corners; null: a value for each point */
@@ -160,15 +163,15 @@ QUADRILLE_C int32_t quadrille_set_channel_array(quadrille_call* call, size_t cha
 
 /** The state of a surface just before the next contraction. Members may be added at the end. */
 typedef struct quadrille_status {
-  size_t initial_faces;
-  size_t initial_vertices;
-  size_t faces;
-  size_t vertices;
-  size_t contractions;
-  double next_error; /**< the error of the next contraction, a distance */
-  double diagonal;   /**< the diagonal of the bounding box of the input */
-  double progress;   /**< the estimated fraction that is done; 1 at the last call only */
-  int32_t stage;     /**< 0: data is prepared, 1: pairs are contracted, 2: the result is written */
+  size_t initial_faces;    /**< the number of faces of the input */
+  size_t initial_vertices; /**< the number of vertices of the input */
+  size_t faces;            /**< the number of faces now */
+  size_t vertices;         /**< the number of vertices now */
+  size_t contractions;     /**< the number of contractions so far */
+  double next_error;       /**< the error of the next contraction, a distance */
+  double diagonal;         /**< the diagonal of the bounding box of the input */
+  double progress;         /**< the estimated fraction that is done; 1 at the last call only */
+  int32_t stage;           /**< 0: data is prepared, 1: pairs are contracted, 2: the result is written */
 } quadrille_status;
 
 /** A pair of vertices that may be contracted. Members may be added at the end. */
@@ -202,12 +205,17 @@ typedef struct quadrille_contraction {
   size_t highest_degree;               /**< the higher degree of the two ends, in faces */
 } quadrille_contraction;
 
-/** Functions get the `data` of the caller. What they point to lives until they return. 1 is yes, 0
- * is no; anything less than 0, or a cost that is less than 0 or not finite, fails: the call ends with
+/** Returns whether the call proceeds: 1 is yes, 0 is no.
+ *
+ * Functions get the `data` of the caller. What they point to lives until they return. An answer less
+ * than 0, or a cost that is less than 0 or not finite, fails: the call ends with
  * QUADRILLE_FUNCTION_FAILED and without a result. */
 typedef int32_t (*quadrille_progress_function)(void* data, const quadrille_status* status);
+/** Returns whether the simplification stops: 1 is yes, 0 is no. */
 typedef int32_t (*quadrille_stop_function)(void* data, const quadrille_status* status);
+/** Returns whether a contraction is allowed: 1 is yes, 0 is no. */
 typedef int32_t (*quadrille_filter_function)(void* data, const quadrille_contraction* contraction);
+/** Returns the cost of a pair, at least 0. */
 typedef double (*quadrille_cost_function)(void* data, const quadrille_pair* pair);
 
 /** Sets a function that is called up to 25 times a second, and at the end: should the call proceed?
@@ -260,6 +268,7 @@ QUADRILLE_C const char* quadrille_report_text(quadrille_call* call);
 QUADRILLE_C quadrille_levels* quadrille_levels_new(void);
 /** Returns a copy, or null if there is not enough memory. */
 QUADRILLE_C quadrille_levels* quadrille_levels_copy(const quadrille_levels* levels);
+/** Deletes levels, or nothing if they are null. */
 QUADRILLE_C void quadrille_levels_delete(quadrille_levels* levels);
 /** Returns what was wrong when a function of these levels last failed. */
 QUADRILLE_C const char* quadrille_levels_error(const quadrille_levels* levels);
@@ -275,12 +284,12 @@ QUADRILLE_C const char* quadrille_levels_comment(const quadrille_levels* levels)
 
 /** The figures of a level. */
 typedef struct quadrille_level_info {
-  size_t faces;
-  size_t vertices;
-  size_t contractions;
-  double error;
-  double distance_bound;
-  double hausdorff_bound;
+  size_t faces;           /**< the number of faces */
+  size_t vertices;        /**< the number of vertices */
+  size_t contractions;    /**< the number of contractions from the input to the level */
+  double error;           /**< as in the report */
+  double distance_bound;  /**< as in the report */
+  double hausdorff_bound; /**< as in the report */
 } quadrille_level_info;
 
 /** A level with its surface. */
@@ -297,6 +306,7 @@ QUADRILLE_C int32_t quadrille_levels_info(const quadrille_levels* levels, const 
 QUADRILLE_C int32_t quadrille_levels_at(const quadrille_levels* levels, const char* stop,
                                         double number, quadrille_level** level, char* error,
                                         size_t error_size);
+/** Deletes a level, or nothing if it is null. */
 QUADRILLE_C void quadrille_level_delete(quadrille_level* level);
 /** Returns the figures of a level. */
 QUADRILLE_C quadrille_level_info quadrille_level_figures(const quadrille_level* level);
