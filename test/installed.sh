@@ -68,7 +68,7 @@ python() {
   # The folder of this version, and below /usr that of Debian's packages.
   folder=$(echo "$prefix"/lib/python3.*/*-packages)
   cd "$folder/quadrille"
-  ls __init__.py py.typed _core.pyi _core.*.so
+  ls __init__.py py.typed _core.pyi _library.py drop_in/pyfqmr.py libquadrille_python.so
   cd /
   PYTHONPATH=$folder PYTHONDONTWRITEBYTECODE=1 "$python" -c '
 import quadrille, sys

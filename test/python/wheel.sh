@@ -31,12 +31,12 @@ $offline "$python" -m pip wheel --verbose --no-build-isolation --no-deps --wheel
 (cd "$folder/source" && find . | sort) | diff "$folder/before" - || fail "it leaves files in the source tree"
 
 # All of the package is in it, and the licence.
-wheel=$(echo "$folder"/quadrille-*.whl)
+wheel=$(echo "$folder"/quadrille_mesh-*-py3-none-linux_*.whl)
 "$python" -m zipfile --list "$wheel" | awk 'NR > 1 { print $1 }' > "$folder/content"
-for file in "$folder"/source/examples/products/python/quadrille/*; do
-  grep -qx "quadrille/${file##*/}" "$folder/content" || fail "${file##*/} is not in the wheel"
+for file in $(cd "$folder/source/examples/products/python" && find quadrille -type f); do
+  grep -qx "$file" "$folder/content" || fail "$file is not in the wheel"
 done
-grep -q '^quadrille/_core\..*\.so$' "$folder/content" || fail "the compiled part is not in the wheel"
+grep -qx 'quadrille/libquadrille_python\.so' "$folder/content" || fail "the compiled part is not in the wheel"
 grep -q '\.dist-info/.*LICENSE$' "$folder/content" || fail "the licence is not in the wheel"
 
 # An environment with numpy alone.
@@ -55,7 +55,7 @@ import numpy as np
 import quadrille
 from importlib.metadata import metadata
 assert quadrille.__file__.startswith(sys.argv[1]), quadrille.__file__
-told = metadata("quadrille")
+told = metadata("quadrille-mesh")
 assert told["Version"] == quadrille.__version__, (told["Version"], quadrille.__version__)
 assert "GPL" in told["License"], told["License"]
 
@@ -75,13 +75,13 @@ a, b, c = np.moveaxis(small.points[small.faces], 1, 0)
 volume = (a * np.cross(b, c)).sum() / 6
 assert abs(volume - 4 / 3 * np.pi) < 0.05, volume
 print("of a sphere of", len(faces), "faces", len(small.faces), "are left, of volume", volume)' "$folder/venv"
-for test in test_module.py test_policies.py test_libraries.py test_words.py; do
+for test in test_module.py test_policies.py test_libraries.py test_words.py test_drop_in.py; do
   PYTHONDONTWRITEBYTECODE=1 "$in_venv" -W error::DeprecationWarning "$folder/source/test/python/$test" 2> "$folder/log" ||
     { cat "$folder/log"; fail "$test fails"; }
   tail -n 3 "$folder/log"
 done
 
-"$in_venv" -m pip uninstall --quiet --yes quadrille
+"$in_venv" -m pip uninstall --quiet --yes quadrille-mesh
 ! "$in_venv" -c 'import quadrille' 2>/dev/null || fail "it is still there"
 [ -z "$(find "$folder/venv" -name '*quadrille*')" ] || fail "files of it are still there"
 (cd "$folder/source" && find . | sort) | diff "$folder/before" - || fail "its tests leave files in the source tree"

@@ -9,8 +9,14 @@ import numpy as np
 from ._forms import Array
 
 
+def of_dlpack(given: Any) -> Any:
+    """An array of an object that has no other way to numpy than DLPack; anything else as it is."""
+    is_foreign = hasattr(given, "__dlpack__") and not hasattr(given, "__array__")
+    return np.from_dlpack(given) if is_foreign else given
+
+
 def _of_numbers(name: str, given: Any, kinds: str, what: str) -> Array:
-    array: Array = np.asarray(given)
+    array: Array = np.asarray(of_dlpack(given))
     if array.dtype.kind not in kinds and array.size > 0:
         raise ValueError(f"{name} has the type {array.dtype}, not {what}")
     return array
@@ -51,7 +57,7 @@ def _place(where: Array) -> Tuple[int, ...]:
 
 def index_triples(name: str, given: Any, count: int, of_what: str) -> Array:
     """Of 32 bits in the order of C, each below a count: the array itself where that is so already."""
-    array: Array = np.asarray(given)
+    array: Array = np.asarray(of_dlpack(given))
     if array.size == 0:
         array = np.empty((0, 3), np.uint32)
     if array.ndim != 2 or array.shape[1] != 3:
@@ -96,7 +102,7 @@ def factors(name: str, given: Any, count: int) -> List[float]:
 
 def mask(name: str, given: Any, count: int, of: str = "point") -> List[bool]:
     """A list of booleans of a mask, or of indices of what `of` says."""
-    array: Array = np.asarray(given)
+    array: Array = np.asarray(of_dlpack(given))
     if array.dtype == bool:
         if array.shape != (count,):
             raise ValueError(f"{name} has the shape {array.shape}, not ({count},): it takes a mask of "

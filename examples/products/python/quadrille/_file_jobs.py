@@ -124,7 +124,7 @@ class FileJob:
         result = job.merge("out.ply")
 
     The arguments are those of simplify_file(), which runs all of these steps. A pickled job contains its arguments
-    except progress=; in another process, simplify() works on the current phase. partition(), close() and sew()
+    except progress=; in another process, simplify() works on the current phase. partition(), close() and merge()
     drive the job under a lock, so that only one process does so; after an interruption, a new job with restart=True
     resumes the work. If progress= returns False, these methods raise RuntimeError.
     """
@@ -166,12 +166,12 @@ class FileJob:
 
     def close(self) -> int:
         """Ends the phase, once all of its chunks are simplified. Returns the number of chunks of the next phase, or 0 if
-        the result can be merged by sew()."""
+        merge() can write the result."""
         return _step(self._paths, self._job.close)
 
-    def sew(self, target: Path) -> SimplifiedFile:
+    def merge(self, target: Path) -> SimplifiedFile:
         """Merges the chunks into the result, and empties the scratch folder."""
-        result = _result(target, *_step(self._paths, self._job.sew, os.fspath(target)))
+        result = _result(target, *_step(self._paths, self._job.merge, os.fspath(target)))
         self._drives = False
         return result
 

@@ -179,8 +179,9 @@ def simplify(
     Raises ValueError if an argument is wrong, and says which one and where; TypeError if attributes is not a
     dict of names, levels is not a Levels, or the object is not a surface; MemoryError.
     """
-    mesh, of_library = _mesh_of(points, triangles)
-    given: Dict[str, Any] = dict(labels=labels, uv=uv, normals=normals, colors=colors)
+    mesh, of_library = _mesh_of(_arrays.of_dlpack(points), _arrays.of_dlpack(triangles))
+    given: Dict[str, Any] = {name: _arrays.of_dlpack(values) for name, values in (
+        ("labels", labels), ("uv", uv), ("normals", normals), ("colors", colors))}
     added = {} if attributes is None else read_attributes(attributes, of_library)
     mesh = Mesh(mesh.points, mesh.faces, attributes={**read_attributes(mesh.attributes), **added},
                 _is_split=mesh._is_split, _source=mesh._source, _source_faces=mesh._source_faces,

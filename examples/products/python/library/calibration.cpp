@@ -1,13 +1,12 @@
 // It includes calibrated.h, which includes GPL parts of CGAL.
-#include "calibration.h"
+#include "package.h"
 
-#include "../program/calibrated.h"
+#include "../../program/calibrated.h"
 
+#include <quadrille/c/call.h>
 #include <quadrille/distance_limits.h>
 
 #include <optional>
-
-namespace quadrille_examples {
 
 namespace {
 
@@ -20,9 +19,10 @@ SoupOptions times(SoupOptions options, double factor) {
   return options;
 }
 
-} // namespace
-
+/// Simplifies with multiples of the limit, of which one is given, and returns the coarsest result
+/// that is proved to be within it; if options.proceed says no, the coarsest until then.
 SoupResult calibrated_soup(const SoupView& soup, const SoupOptions& options) {
+  namespace calibrations = quadrille_examples::calibrations;
   const auto surface_of = [](const auto& of) {
     return internal::checked_surface("quadrille::calibrated", of.points, of.triangles);
   };
@@ -37,8 +37,12 @@ SoupResult calibrated_soup(const SoupView& soup, const SoupOptions& options) {
     is_cancelled = result.report.stop == StopReason::cancelled;
     return result;
   };
-  return calibrations::calibrate(input, calibrations::distance_of(limit, input), Calibration{}, run,
+  return calibrations::calibrate(input, calibrations::distance_of(limit, input), {}, run,
                                  surface_of);
 }
 
-} // namespace quadrille_examples
+} // namespace
+
+extern "C" int32_t quadrille_simplify_calibrated(quadrille_call* call) {
+  return internal::run_call(*call, calibrated_soup);
+}
