@@ -873,9 +873,11 @@ class FileJob:
 
     def _step(self, name: str, **given: Any) -> Any:
         bag = Bag(**given)
-        self._caught.clear()
         code = _job_step(self._handle, name.encode(), bag.handle)
-        bag.check(code, self._caught)
+        try:
+            bag.check(code, self._caught)
+        finally:
+            self._caught.clear()  # an exception refers to this frame: the job must not refer to it, and so live on
         return bag.taken()
 
     @property
