@@ -110,7 +110,8 @@ links() {
 }
 
 # Documents are plain English, as comments are (repository.sh words): they use no word of words.txt, and no paragraph
-# and no item of a list begins with a word such as Of or What, unless it is a question. Code and names of files are no words.
+# and no item of a list begins with a word such as Of or What, nor a sentence inside them with Of or Where, unless it is a
+# question. The same holds for what follows a colon or a semicolon, except in tables. Code and names of files are no words.
 words() {
   banned=$(grep -v '^#' test/words.txt | cut -f1 | paste -sd '|')
   # shellcheck disable=SC2046
@@ -118,11 +119,26 @@ words() {
     BEGIN {
       first = "^((Of|What|Who|Whose|Those|Where) |The same( (with|in|as|of|by|for) |,))"
     }
-    FNR == 1 { code = inside = 0 }
-    /^ *```/ { code = !code; inside = 0; next }
+    FNR == 1 { code = inside = ended = 0 }
+    /^ *```/ { code = !code; inside = ended = 0; next }
     code { next }
     {
       text = $0
+      rest = (ended ? ". " : "") text
+      while (match(rest, /[.!?][])*_"]* +(Of|Where) [^.!?]*[.!?]?/)) {
+        sentence = substr(rest, RSTART, RLENGTH)
+        rest = substr(rest, RSTART + RLENGTH - 1)
+        sub(/^[^OW]*/, "", sentence)
+        if (sentence !~ /\?$/) {
+          print FILENAME ":" FNR ": a sentence begins with " substr(sentence, 1, 50)
+          wrong = 1
+        }
+      }
+      ended = text ~ /[.!?][])*_"]*$/
+      if (is_text && match(text, /[:;][])*_"]* +(of|Of|where|Where) /)) {
+        print FILENAME ":" FNR ": a colon or semicolon comes before " substr(text, RSTART + 2, 50)
+        wrong = 1
+      }
       is_item = sub(/^ *([-*]|[0-9]+\.) +/, "", text)
       is_text = text !~ /^([|#<!]|$)/
       if (is_text && (is_item || !inside) && text ~ first && text !~ /\?/) {
@@ -228,10 +244,11 @@ tables() {
   done < "$names"
   echo "$count names"
   [ "$count" -gt 100 ] || status=1
-  units || status=1
-  folders || status=1
-  options || status=1
-  exit $status
+  failed=$status # each of these sets its own status
+  units || failed=1
+  folders || failed=1
+  options || failed=1
+  exit $failed
 }
 
 # units.md has each public class that rejects numbers, with the defaults of the headers: a row whose first
