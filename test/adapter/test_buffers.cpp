@@ -264,7 +264,7 @@ TEST_CASE("An attribute lies at an offset, in memory that need not be aligned") 
   CHECK_THROWS_WITH(Attribute(bytes.data(), 4, 12, 1),
                     "quadrille::VertexAttribute: 12 bytes at 1 do not lie in a stride of 12");
   CHECK_THROWS_WITH(Attribute(bytes.data(), 4, 12, 13), Contains("do not lie in a stride of 12"));
-  CHECK_THROWS_WITH(Attribute(nullptr, 4), "quadrille::VertexAttribute: no memory of 4 vertices");
+  CHECK_THROWS_WITH(Attribute(nullptr, 4), "quadrille::VertexAttribute: no buffer of 4 vertices");
   CHECK_NOTHROW(Attribute(nullptr, 0));
 }
 

@@ -253,5 +253,5 @@ TEST_CASE(
   using Edges = std::vector<std::array<int, 2>>;
   refuses(parameters::boundary_edges(Edges{{0, 1}, {0, 9999}}),
           "edge 1 of boundary_edges refers to point 9999 of 861");
-  refuses(parameters::boundary_edges(Edges{{-1, 1}}), "names point -1");
+  refuses(parameters::boundary_edges(Edges{{-1, 1}}), "refers to point -1");
 }

@@ -601,7 +601,7 @@ TEST_CASE("A report of clustering prints itself") {
   Soup soup = test::cube(4);
   std::ostringstream out;
   out << cluster(soup, Grid{2, 2, 2});
-  CHECK(out.str() == "192 -> 12 faces, 98 -> 8 vertices, 2 x 2 x 2 cells, 0 doubled faces");
+  CHECK(out.str() == "192 -> 12 faces, 98 -> 8 vertices, 2 x 2 x 2 cells, 0 duplicate faces");
 }
 
 TEST_CASE("Eigenvectors of a symmetric matrix") {

@@ -263,7 +263,7 @@ TEST_CASE("file tolerances: what makes no sense is refused, and nothing is left"
   options.tolerance = "other";
   CHECK_THROWS_WITH(run(folder, options, ToleranceLimit{}), Catch::Contains("in.ply") &&
                                                                 Catch::Contains("other") &&
-                                                                Catch::Contains("but allowed"));
+                                                                Catch::Contains("they have allowed"));
   options.tolerance = "allowed";
   for (const double bad : {-0.5, std::numeric_limits<double>::quiet_NaN()}) {
     input.tolerances[7] = bad;

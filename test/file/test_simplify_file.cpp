@@ -538,7 +538,7 @@ TEST_CASE("Files that are no tiles of one surface are refused by their names") {
   CHECK_THAT(refusal({}), Catch::Contains("0 files were given"));
   std::filesystem::create_directory(folder.path("other"));
   CHECK_THAT(refusal({a, folder.file("other/a.ply", ply_of(tiles[1]))}, true),
-             Catch::Contains("two tiles would be a.ply"));
+             Catch::Contains("two tiles would be written to a.ply"));
   std::vector<int> degrees(tiles[1].points.size());
   for (const test::Triangle& t : tiles[1].triangles)
     for (const std::uint32_t v : t)
@@ -885,7 +885,7 @@ TEST_CASE("Parts are run one by one, in any order, by any process") {
     job.partition();
     for (std::size_t part = job.chunks(); part-- > 1;)
       job.simplify(part);
-    CHECK_THROWS_WITH(job.close(), Catch::Contains("part 0 of phase"));
+    CHECK_THROWS_WITH(job.close(), Catch::Contains("chunk 0 of phase"));
     Job other(folder.path("in.ply"), FaceCount{800}, options);
     other.join();
     other.simplify(0);
@@ -1015,7 +1015,7 @@ TEST_CASE("One job at a time works in a folder, and who that is is told") {
   other.join(); // which may simplify parts
   other.simplify(3);
   CHECK_THROWS_WITH(other.close(), Catch::Contains(process));
-  CHECK_THROWS_WITH(job.close(), Catch::Contains("part 0 of phase"));
+  CHECK_THROWS_WITH(job.close(), Catch::Contains("chunk 0 of phase"));
   do
     for (std::size_t part = 0; part < job.chunks(); ++part)
       job.simplify(part);

@@ -219,7 +219,7 @@ public:
       const auto [x, y, z, off] =
           records_.template differences<count>(first, second, to_second, four);
       for (std::size_t i = 0; i < count; ++i)
-        form += squared_plane(Vector<3>{x[i], y[i], z[i]}, static_cast<double>(off[i]), weight);
+        form += squared_plane(in_doubles(x[i], y[i], z[i]), static_cast<double>(off[i]), weight);
     });
   }
   /// The texture coordinates of the joined wedge at a target, given from the first end.

@@ -22,6 +22,11 @@
 
 namespace quadrille::internal {
 
+/// Returns a vector of three floats.
+inline Vector<3> in_doubles(float x, float y, float z) {
+  return {{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)}};
+}
+
 /// The difference of the maps of two wedges, in lengths, for four components: (x, y, z) · p + off
 /// at a place p from the first.
 struct FourDifferences {
@@ -165,7 +170,7 @@ public:
     const auto [x, y, z, off] = differences<2>(first, second, to_second, 0);
     std::array<AffineMap, 2> difference;
     for (std::size_t c = 0; c < 2; ++c)
-      difference[c] = {inverse_lengths_[c] * Vector<3>{x[c], y[c], z[c]},
+      difference[c] = {inverse_lengths_[c] * in_doubles(x[c], y[c], z[c]),
                        inverse_lengths_[c] * static_cast<double>(off[c])};
     return difference;
   }
@@ -234,7 +239,7 @@ public:
       map.boundary = boundaries_[wedge];
     for (std::size_t c = 0; c < components_; ++c) {
       const float* const gradient = gradients_of(wedge, c / 4) + c % 4;
-      map.maps.push_back({inverse_lengths_[c] * Vector<3>{gradient[0], gradient[4], gradient[8]},
+      map.maps.push_back({inverse_lengths_[c] * in_doubles(gradient[0], gradient[4], gradient[8]),
                           value(wedge, c)});
     }
     return map;
