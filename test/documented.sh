@@ -110,7 +110,7 @@ links() {
 }
 
 # Documents are plain English, as comments are (repository.sh words): they use no word of words.txt, and no paragraph
-# and no item of a list begins with a word such as Of or What, nor a sentence inside them with Of or Where, unless it is a
+# and no item of a list begins with a word such as Of or What, nor a sentence inside them, unless it is a
 # question. The same holds for what follows a colon or a semicolon, except in tables. Code and names of files are no words.
 words() {
   banned=$(grep -v '^#' test/words.txt | cut -f1 | paste -sd '|')
@@ -125,10 +125,10 @@ words() {
     {
       text = $0
       rest = (ended ? ". " : "") text
-      while (match(rest, /[.!?][])*_"]* +(Of|Where) [^.!?]*[.!?]?/)) {
+      while (match(rest, /[.!?][])*_"]* +(Of|Where|What|Who|Whose|Those) [^.!?]*[.!?]?/)) {
         sentence = substr(rest, RSTART, RLENGTH)
         rest = substr(rest, RSTART + RLENGTH - 1)
-        sub(/^[^OW]*/, "", sentence)
+        sub(/^[^OWT]*/, "", sentence)
         if (sentence !~ /\?$/) {
           print FILENAME ":" FNR ": a sentence begins with " substr(sentence, 1, 50)
           wrong = 1
