@@ -101,8 +101,8 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
   CLI::Option* const parts = app.add_option(
       "--out-of-core", options.scratch,
       "simplify IN in chunks, and keep them in this folder meanwhile: about 60 bytes per "
-      "face, 70 if half of the faces stay, 90 while STL is welded; at the end the folder "
-      "is as it was");
+      "face, 70 bytes if half of the faces stay, 90 bytes while STL is welded; at the end the "
+      "folder is as it was");
   parts->type_name("FOLDER")->group(group);
   const auto in_group = [&](CLI::Option* option) { return option->group(group)->needs(parts); };
   in_group(app.add_option_function<std::string>(
