@@ -2,7 +2,7 @@
 # Holds documents and packages to the table of options, include/quadrille/compiled/options.def.
 #   sh options.sh table REPOSITORY    prints the tables of doc/manual/options.md
 #   sh options.sh manual REPOSITORY   the manual has these tables
-#   sh options.sh program REPOSITORY  the program has the options of the program, by the name or the short form
+#   sh options.sh program REPOSITORY  the program has the options of the program, by their names and short forms
 #   sh options.sh web REPOSITORY      the npm package has the options of the web, with their words and defaults
 set -eu
 check=$1
@@ -39,7 +39,7 @@ table() {
           $value .= " in $range" if $range ne "";
           $value .= ", $unit" if $unit ne "" && $unit ne "factor" && $unit ne "weight";
           $sentence .= ": " . join(", ", @{$words{$key}}) if $words{$key};
-          $sentence .= ". In the program: `--$short`" if $short ne "";
+          $sentence .= ". Short form in the program: `--$short`" if $short ne "";
           $places =~ s/ /, /g;
           print "| `$name` | $value | ", $fallback eq "" ? "" : "`$fallback`", " | $sentence | $places |\n";
         }
@@ -68,7 +68,8 @@ program() {
     my $has_name = is_defined($name);
     my $has_short = $short ne "" && is_defined($short);
     next if $macro =~ /CHANNEL/ && !$is_in;
-    wrong("the program has " . ($is_in ? "no" : "the") . " option $name") if ($has_name || $has_short) != $is_in;
+    next if $name eq "weighting" && $has_short; # a flag is all that the program has of it
+    wrong("the program has " . ($is_in ? "no" : "the") . " option $name") if $has_name != $is_in;
     wrong("the program has no short form $short of $name") if $short ne "" && !$has_short;
     sub is_defined { $sources =~ /"(?:--?[\w-]+,)*--$_[0](?:,--?[\w-]+)*"/ }
     sub wrong { print "$_[0]\n"; $wrong = 1 }

@@ -22,7 +22,7 @@ inline void add_boundary(CLI::App& app, Options& options) {
     return word == "lock" || (value && !value->is_percentage);
   };
   app.add_option_function<std::string>(
-         "--boundary",
+         "--boundary,--boundary-weight",
          [&](const std::string& word) {
            options.locks_boundaries = word == "lock";
            if (!options.locks_boundaries)
@@ -41,9 +41,9 @@ inline void add_cost(CLI::App& app, Options& options) {
           "--cost", options.cost,
           "which pair is contracted first, by distance to: the planes of all input faces "
           "(quadric), the current faces (memoryless), the current faces and thin features that "
-          "are already lost (thin-features), or the planes with colours or texture coordinates "
-          "as further dimensions (color, texture); or the shortest edge (length); default: "
-          "quadric, with all attributes of IN"),
+          "are already lost (thin-features), or the planes of all input faces with colours or "
+          "texture coordinates as the only attributes that count (color, texture); or the "
+          "shortest edge (length); default: quadric, with all attributes of IN"),
       {"quadric", "memoryless", "thin-features", "color", "texture", "length"},
       {{"memoryless-quadric", "memoryless"},
        {"thin-feature-quadric", "thin-features"},
@@ -62,7 +62,7 @@ inline void add_cost(CLI::App& app, Options& options) {
       ->group("Policies");
   const auto is_angle = [](double degrees) { return degrees <= 180; };
   app.add_option(
-         "--crease", options.crease_degrees,
+         "--crease,--crease-degrees", options.crease_degrees,
          "keep edges like boundaries where the angle between the normals of their two faces "
          "is greater (with --cost quadric, color or texture)")
       ->check(number_that(is_angle, "an angle from 0 to 180 degrees"))
@@ -81,7 +81,8 @@ inline void add_quadric(CLI::App& app, Options& options) {
   };
   const auto is_weight = [](double) { return true; };
   add(
-      "--lines", [&](const std::string& word) { options.line_weight = amount_of(word).value; },
+      "--lines,--line-weight",
+      [&](const std::string& word) { options.line_weight = amount_of(word).value; },
       "how firmly vertices are kept to the lines along their normals: 0.001 gives better "
       "triangles at a slightly larger distance, 0.01 much better ones at a larger one "
       "(default: 0, with --cost quadric)",
@@ -93,7 +94,8 @@ inline void add_quadric(CLI::App& app, Options& options) {
       "the standard deviation of the errors in the normals of IN (with --cost quadric)",
       number_that(is_angle, "an angle from 0 to less than 90 degrees"), "DEGREES");
   add(
-      "--noise", [&](const std::string& word) { options.position_noise = amount_of(word); },
+      "--noise,--position-noise",
+      [&](const std::string& word) { options.position_noise = amount_of(word); },
       "the standard deviation of the errors in the positions of IN, in its units or as a "
       "percentage of the diagonal (with --cost quadric)",
       distance(), "D|P%");
@@ -130,7 +132,8 @@ inline void add_labels(CLI::App& app, Options& options) {
 
 inline void add_topology(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
-         "--pairs", [&](const std::string& word) { options.pairs = amount_of(word); },
+         "--pairs,--pairs-closer-than",
+         [&](const std::string& word) { options.pairs = amount_of(word); },
          "also contract vertices without an edge between them that are closer than this, in "
          "the units of IN or as a percentage of the diagonal")
       ->check(distance())
@@ -144,7 +147,8 @@ inline void add_topology(CLI::App& app, Options& options) {
       {"kept", "free"})
       ->group("Policies");
   app.add_option_function<std::string>(
-         "--cut-handles", [&](const std::string& word) { options.handles = amount_of(word); },
+         "--cut-handles,--simplified-topology",
+         [&](const std::string& word) { options.handles = amount_of(word); },
          "tunnels and handles no wider than this, in units of IN or, with %, in parts of the "
          "diagonal, are cut and closed where that is the cheapest step; the rest of the topology "
          "is kept")
@@ -170,12 +174,12 @@ inline void add_promises(CLI::App& app, Options& options) {
       ->group("Policies");
   const auto is_angle = [](double degrees) { return degrees > 0 && degrees < 180; };
   app.add_option(
-         "--normals", options.normal_degrees,
+         "--normals,--normal-deviation", options.normal_degrees,
          "no normal of OUT deviates by more than this from the normals of IN that it replaces")
       ->check(number_that(is_angle, "an angle above 0 and below 180 degrees"))
       ->type_name("DEGREES")
       ->group("Policies");
-  app.add_flag("--solid", options.keeps_solid,
+  app.add_flag("--solid,--keep-solid", options.keeps_solid,
                "OUT is a closed solid, as IN has to be: no faces intersect, and topology is kept; "
                "takes several times as long")
       ->group("Policies");
