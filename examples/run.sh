@@ -57,7 +57,7 @@ follow() {
 mkdir -p "$build" || exit 3
 exec 3>&2
 tell "The first run installs what is missing and builds $program;" \
-  "this takes some minutes, up to 1.6 GB of memory for each core. All that is said is in $log"
+  "this takes some minutes, up to 2.7 GB of memory for one source. All that is said is in $log"
 : >"$log"
 follower=
 if [ -n "$is_first" ]; then
