@@ -124,7 +124,7 @@ test("fixed points stay, by a mask and by indices", () => {
   for (const point of stay) mask[point] = 255;
   assert.deepEqual(quadrille.simplify(mesh, { faces: 100, fixed: mask }).positions, byIndex.positions);
   for (const point of stay) {
-    const at = 3 * byIndex.image[point];
+    const at = 3 * byIndex.vertexMap[point];
     assert.deepEqual(byIndex.positions.slice(at, at + 3), positions.slice(3 * point, 3 * point + 3));
   }
 });
