@@ -3,7 +3,7 @@
 # not in a list is the core's. test/repository.sh reads these lists, too.
 set(attributes_headers channels.h texture_deviation.h)
 set(guards_headers distance_limits.h guards.h hull.h)
-set(levels_headers level_steps.h levels.h levels_file.h levels_file_options.h)
+set(levels_headers level_maps.h level_splits.h level_steps.h levels.h levels_file.h levels_file_options.h)
 set(cluster_headers cluster.h)
 set(planar_headers planar_patches.h boundaries.h)
 set(verify_headers distance.h verdict.h verify.h)

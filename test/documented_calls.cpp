@@ -23,6 +23,8 @@
 #include <quadrille/guards.h>
 #include <quadrille/hull.h>
 #include <quadrille/importance.h>
+#include <quadrille/level_maps.h>
+#include <quadrille/level_splits.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 #include <quadrille/manifold.h>

@@ -2,6 +2,7 @@
 #define QUADRILLE_LEVEL_STEPS_H
 
 #include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/levels/corner_circles.h>
 #include <quadrille/internal/levels/level_track.h>
 #include <quadrille/levels.h>
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -29,8 +29,8 @@ struct LevelStep {
   std::size_t coarser_faces = 0;          ///< at the coarser level
   std::size_t finer_vertices = 0;         ///< at the finer level; the last ones are removed
   std::size_t coarser_vertices = 0;       ///< at the coarser level
-  /// The triangles with a corner at either vertex at the finer level, or at the kept vertex at the
-  /// coarser one, including the removed triangles.
+  /// The triangles with a corner at either vertex at the finer level, and the removed triangles, in
+  /// ascending order.
   std::span<const std::uint32_t> changed;
 };
 
@@ -38,9 +38,9 @@ struct LevelStep {
 /// progressive mesh. Its points and triangles are those of Levels::at for the same number of
 /// contractions.
 ///
-/// A step usually takes time proportional to the number of changes; at each halving of the faces it
-/// takes time linear in the size of the level. Steps only have positions; for channels extract
-/// whole levels.
+/// A step takes time proportional to the number of changes; at each halving of the faces it takes
+/// time linear in the size of the level. Steps only have positions; for channels extract whole
+/// levels.
 ///
 /// Source: Hoppe, Progressive Meshes, 1996, sections 3 and 4.
 class LevelSteps {
@@ -49,6 +49,13 @@ public:
   explicit LevelSteps(const Levels& levels) : levels_(levels) {
     levels.require_any();
     enter(0);
+  }
+  /// Begins at a level, in time linear in the size of the surface that is stored before it.
+  LevelSteps(const Levels& levels, const LevelInfo& level) : levels_(levels) {
+    const internal::LevelPlace place = levels.find(AfterContractions{level.contractions});
+    enter(place.segment);
+    while (contractions_ < place.contractions)
+      coarsen();
   }
 
   /// Returns the figures of the current level.
@@ -72,13 +79,19 @@ public:
       return coarsen();
     }
     describe(contractions_++);
-    apply(step_.gone, step_.kept);
+    list_changed();
+    if (step_.gone != not_recorded) {
+      set_corners(step_.gone, step_.kept);
+      corners_.merge(step_.kept, step_.gone);
+    }
+    for (std::size_t face = step_.coarser_faces; face < step_.finer_faces; ++face)
+      corners_.remove(static_cast<Index>(face));
     for_each_change(contractions_ - 1, [&](std::size_t change) {
       points_[track().changed[change]] = changed_point(change);
     });
     return true;
   }
-  /// Undoes the last contraction. False at the finest level.
+  /// Undoes the last contraction. Returns false at the finest level.
   bool refine() {
     if (contractions_ == 0) {
       if (segment_ == 0)
@@ -92,19 +105,45 @@ public:
     for_each_change(contractions_, [&](std::size_t change) {
       points_[track().changed[change]] = point_before(change);
     });
-    apply(step_.gone, step_.gone);
+    for (std::size_t face = step_.finer_faces; face-- > step_.coarser_faces;)
+      corners_.restore(static_cast<Index>(face));
+    if (step_.gone != not_recorded) {
+      corners_.split(step_.kept, step_.gone);
+      set_corners(step_.gone, step_.gone);
+    }
+    list_changed();
     return true;
   }
 
   /// Returns the last step, forwards or backwards. Its data is valid until the next step.
   const LevelStep& last_step() const { return step_; }
 
+  /// Returns the triangles that coarsen() has just removed, with the kept vertex in the place of
+  /// the removed one; they are valid until the next step.
+  std::span<const std::array<std::uint32_t, 3>> removed_triangles() const {
+    return std::span(triangles_)
+        .subspan(step_.coarser_faces, step_.finer_faces - step_.coarser_faces);
+  }
+
+  /// Calls visit(triangle) for the triangles with a corner at a vertex of the current level.
+  template <class Visit>
+  void for_each_triangle(std::uint32_t vertex, Visit visit) const {
+    corners_.for_each(vertex, [&](Index corner) { visit(corner / 3); });
+  }
+  /// Returns, for each point of the current level, its vertex of the input, as Level does.
+  std::span<const std::uint32_t> input_vertices() const {
+    return std::span(levels_.input_vertices_).first(points().size());
+  }
+  /// Returns, for each triangle of the current level, its face of the input.
+  std::span<const std::uint32_t> input_faces() const {
+    return std::span(levels_.input_faces_).first(triangles().size());
+  }
+
 private:
   using Index = internal::Index;
 
   const internal::LevelSegment& segment() const { return levels_.segments_[segment_]; }
   const internal::LevelTrack& track() const { return segment().tracks.front(); }
-  std::size_t first_to_go() const { return track().items() - track().parents.size(); }
 
   // Goes to the beginning of a segment.
   void enter(std::size_t segment) {
@@ -114,37 +153,8 @@ private:
     points_.resize(track().items());
     for (std::size_t v = 0; v < points_.size(); ++v)
       points_[v] = point(track().values.data() + v * track().width);
-    list_corners();
-    list_children();
+    corners_.build(track().items(), triangles_);
     link_changes();
-  }
-
-  // Lists for each vertex, by a counting sort, its corners at the beginning of the segment.
-  void list_corners() {
-    corner_begin_.assign(track().items() + 1, 0);
-    for (const auto& corners : track().corners)
-      for (Index v : corners)
-        ++corner_begin_[v + 1];
-    std::partial_sum(corner_begin_.begin(), corner_begin_.end(), corner_begin_.begin());
-    std::vector<Index> end(corner_begin_.begin(), corner_begin_.end() - 1);
-    corners_.resize(3 * track().corners.size());
-    for (Index face = 0; face < track().corners.size(); ++face)
-      for (Index i = 0; i < 3; ++i)
-        corners_[end[track().corners[face][i]]++] = 3 * face + i;
-  }
-
-  // Lists for each vertex those that are merged into it within the segment.
-  void list_children() {
-    child_begin_.assign(track().items() + 1, 0);
-    for (Index parent : track().parents)
-      if (parent != internal::none)
-        ++child_begin_[parent + 1];
-    std::partial_sum(child_begin_.begin(), child_begin_.end(), child_begin_.begin());
-    std::vector<Index> end(child_begin_.begin(), child_begin_.end() - 1);
-    children_.resize(child_begin_.back());
-    for (std::size_t i = 0; i < track().parents.size(); ++i)
-      if (track().parents[i] != internal::none)
-        children_[end[track().parents[i]]++] = static_cast<Index>(first_to_go() + i);
   }
 
   // Links each change to the last earlier one of the same vertex.
@@ -191,25 +201,23 @@ private:
     });
   }
 
-  // Moves the corners of a removed vertex, with all that were merged into it, to another vertex, or
-  // back to itself.
-  void apply(Index gone, Index vertex) {
+  // Sets the corners of a vertex to another one, or back.
+  void set_corners(Index vertex, Index to) {
+    corners_.for_each(vertex, [&](Index corner) { triangles_[corner / 3][corner % 3] = to; });
+  }
+
+  // Lists the triangles of the contraction, at the finer level.
+  void list_changed() {
     changed_.clear();
-    if (gone != internal::none) {
-      pending_.assign(1, gone);
-      while (!pending_.empty()) {
-        const Index v = pending_.back();
-        pending_.pop_back();
-        for (Index i = corner_begin_[v]; i < corner_begin_[v + 1]; ++i)
-          if (corners_[i] / 3 < step_.finer_faces) {
-            triangles_[corners_[i] / 3][corners_[i] % 3] = vertex;
-            changed_.push_back(corners_[i] / 3);
-          }
-        pending_.insert(pending_.end(), children_.begin() + child_begin_[v],
-                        children_.begin() + child_begin_[v + 1]);
-      }
+    const auto add = [this](Index corner) { changed_.push_back(corner / 3); };
+    if (step_.gone != not_recorded) {
+      corners_.for_each(step_.kept, add);
+      corners_.for_each(step_.gone, add);
     }
+    for (std::size_t face = step_.coarser_faces; face < step_.finer_faces; ++face)
+      changed_.push_back(static_cast<Index>(face));
     std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
     step_.changed = changed_;
   }
 
@@ -217,8 +225,9 @@ private:
   std::size_t segment_ = 0, contractions_ = 0; // where it is
   std::vector<std::array<double, 3>> points_;  // for removed vertices, their last positions
   std::vector<std::array<std::uint32_t, 3>> triangles_;
-  std::vector<Index> corner_begin_, corners_, child_begin_, children_, change_before_;
-  std::vector<Index> changed_, pending_;
+  internal::CornerCircles corners_;
+  std::vector<Index> change_before_; // for each change, the one before it of the same vertex
+  std::vector<Index> changed_;
   LevelStep step_;
 };
 

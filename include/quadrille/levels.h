@@ -283,6 +283,9 @@ public:
   /// Returns the figures of the coarsest level.
   LevelInfo coarsest() const { return info(end_of(segments_.size() - 1)); }
 
+  /// Returns the number of vertices of the input, with those that have no face.
+  std::size_t input_vertex_count() const { return input_vertex_count_; }
+
   /// Returns a level: the finest with at most the given number of faces or vertices, or the
   /// coarsest within the given error or distance; the coarsest of all if no level is that coarse.
   /// `stop` is a FaceCount, VertexCount, ErrorAtMost, DistanceAtMost or AfterContractions. Takes

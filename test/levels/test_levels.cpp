@@ -6,6 +6,7 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
+#include <quadrille/level_splits.h>
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
@@ -375,6 +376,15 @@ void require_step(const LevelStep& step, const Level& fine, const Level& coarse)
       v = v == step.gone ? step.kept : v;
   triangles.resize(coarse.faces);
   REQUIRE(triangles == coarse.triangles);
+  std::vector<std::uint32_t> star;
+  for (std::uint32_t face = 0; face < fine.faces; ++face) {
+    const auto has = [&](std::uint32_t v) {
+      return std::ranges::find(fine.triangles[face], v) != fine.triangles[face].end();
+    };
+    if (has(step.kept) || has(step.gone) || face >= coarse.faces)
+      star.push_back(face);
+  }
+  REQUIRE(std::ranges::equal(step.changed, star));
 }
 
 TEST_CASE("levels step by step, forwards and backwards") {
@@ -411,6 +421,47 @@ TEST_CASE("levels step by step, forwards and backwards") {
       if (i % 50 == 0)
         require_at(steps, levels, at);
     }
+  }
+}
+
+TEST_CASE("vertex splits refine the coarsest level to each other one") {
+  for (const Topology topology :
+       {Topology::kept, Topology::free, Topology::components_may_vanish}) {
+    const Soup soup = joined(sphere(2), torus(10, 6), {{1.1, 0, 0}});
+    Levels levels;
+    Points all = points_of_soup(soup);
+    Triangles input = soup.triangles;
+    simplify(all, input, FaceCount{8}, topology, record_into(levels));
+    const VertexSplits splits = vertex_splits(levels);
+    const std::size_t count = splits.parents.size();
+    REQUIRE(count == levels.coarsest().contractions);
+    Points points(splits.points.begin(), splits.points.begin() + splits.vertex_counts[0]);
+    Triangles faces(splits.faces.begin(), splits.faces.begin() + splits.face_counts[0]);
+    for (std::size_t s = 0;; ++s) {
+      const Level level = levels.at(AfterContractions{count - s});
+      REQUIRE(points == level.points);
+      REQUIRE(faces == level.triangles);
+      REQUIRE(splits.errors[s] == level.error);
+      if (s == count)
+        break;
+      for (std::uint32_t i = splits.corner_begins[s]; i < splits.corner_begins[s + 1]; ++i) {
+        std::uint32_t& corner = faces[splits.corners[i] / 3][splits.corners[i] % 3];
+        REQUIRE(corner == splits.parents[s]);
+        corner = splits.children[s];
+      }
+      while (points.size() < splits.vertex_counts[s + 1])
+        points.push_back(splits.points[points.size()]);
+      while (faces.size() < splits.face_counts[s + 1])
+        faces.push_back(splits.faces[faces.size()]);
+      if (const std::uint32_t parent = splits.parents[s]; parent != not_recorded) {
+        if (parent < splits.vertex_counts[s])
+          REQUIRE(points[parent] == splits.merged_points[s]);
+        points[parent] = splits.parent_points[s];
+      }
+    }
+    const Level finest = levels.at(AfterContractions{0});
+    CHECK(splits.input_vertices == finest.input_vertices);
+    CHECK(splits.input_faces == finest.input_faces);
   }
 }
 
