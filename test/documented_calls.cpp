@@ -21,6 +21,7 @@
 #include <quadrille/file_distance.h>
 #include <quadrille/filters.h>
 #include <quadrille/guards.h>
+#include <quadrille/hidden.h>
 #include <quadrille/hull.h>
 #include <quadrille/importance.h>
 #include <quadrille/level_maps.h>

@@ -2,6 +2,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/hidden.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
@@ -117,4 +118,18 @@ TEST_CASE("What a policy throws in a thread comes out, and the mesh is as it was
   const Soup after = test::to_soup(mesh);
   CHECK(after.points == before.points);
   CHECK(after.triangles == before.triangles);
+}
+
+TEST_CASE("Any number of threads finds the same hidden faces, and the same fractions") {
+  const Soup soup = test::joined(
+      test::sphere(5), test::mapped(test::torus(96, 48), [](const auto& p) { return 0.6 * p; }));
+  const HiddenFaces expected = hidden_faces(soup.points, soup.triangles);
+  const Visibility seen = visibility(soup.points, soup.triangles, {.directions = 32});
+  REQUIRE(expected.count > 0);
+  for (unsigned threads : {2U, 3U}) {
+    CHECK(hidden_faces(soup.points, soup.triangles, {.threads = threads}).is_hidden ==
+          expected.is_hidden);
+    CHECK(visibility(soup.points, soup.triangles, {.directions = 32, .threads = threads}).faces ==
+          seen.faces);
+  }
 }

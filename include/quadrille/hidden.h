@@ -1,0 +1,329 @@
+#ifndef QUADRILLE_HIDDEN_H
+#define QUADRILLE_HIDDEN_H
+
+#include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
+
+#include <quadrille/internal/core/base/containers.h>
+#include <quadrille/internal/core/base/parallel.h>
+#include <quadrille/internal/core/base/read_surface.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/call/meshes.h>
+#include <quadrille/internal/visibility/hidden_groups.h>
+#include <quadrille/internal/visibility/hidden_search.h>
+#include <quadrille/internal/visibility/joined_places.h>
+#include <quadrille/internal/visibility/visible_fractions.h>
+#include <quadrille/triangle_soup.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// \file
+/// Faces that are not seen from outside, and how much of each face is. <quadrille/simplify.h> does
+/// not include this header.
+
+namespace quadrille {
+
+/// Options of hidden_faces() and remove_hidden().
+struct HiddenOptions {
+  /// The rays that each face gets at first, at least 16: see hidden_faces(). Time is proportional
+  /// to it.
+  std::size_t directions = 64;
+  /// A face is hidden if it is seen from at most this fraction of the directions on each of its
+  /// sides: at least 0 and less than 1. By default the inside of a shell is hidden although some
+  /// rays reach it through small holes. With 0, one free ray is enough to be seen.
+  double threshold = 0.001;
+  /// If true, a face that only its back is seen of is hidden: for closed surfaces that are oriented
+  /// outward. Otherwise both sides of a face count.
+  bool front_only = false;
+  unsigned threads = 1; ///< more than one need oneTBB; the result does not depend on it
+  /// Called with the fraction that is done, from time to time; the search ends when it returns
+  /// false.
+  std::function<bool(double fraction)> progress = {};
+};
+
+/// The kinds of hidden groups of faces.
+enum class HiddenKind {
+  cavity,          ///< closed, with its front inside: the wall of an empty space in a solid
+  inner_component, ///< closed, with its front outside, or without any volume
+  inner_surface    ///< not closed: it ends, or it continues in faces that are seen
+};
+
+/// Returns the name of a kind: "cavity", "inner component" or "inner surface".
+constexpr std::string_view to_string(HiddenKind kind) {
+  constexpr std::array<std::string_view, 3> names{"cavity", "inner component", "inner surface"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// Hidden faces that are connected by edges.
+struct HiddenGroup {
+  HiddenKind kind = HiddenKind::inner_surface; ///< the kind
+  std::vector<std::size_t> faces;              ///< the indices of its faces in the input, ascending
+  double area = 0;                             ///< in the unit of the points, squared
+  double volume = 0;   ///< the enclosed volume, at least 0; 0 if it is not closed
+  double diagonal = 0; ///< the length of the diagonal of its bounding box
+};
+
+/// The hidden faces of a surface.
+struct HiddenFaces {
+  std::vector<bool> is_hidden;     ///< a value for each face of the input
+  std::size_t count = 0;           ///< the number of hidden faces
+  double area = 0;                 ///< the area of the hidden faces
+  double whole_area = 0;           ///< the area of all faces
+  std::vector<HiddenGroup> groups; ///< the largest area first
+  /// The edges that hidden faces share with others: they become boundary edges if hidden faces are
+  /// removed.
+  std::size_t cut_edges = 0;
+  bool is_cancelled = false; ///< by HiddenOptions::progress: then no face is hidden
+};
+
+/// Options of visibility() and visibility_importance().
+struct VisibilityOptions {
+  std::size_t directions = 256; ///< the rays that each face gets, at least 16
+  bool front_only = false;      ///< does the back of a face count? See HiddenOptions
+  unsigned threads = 1;         ///< see HiddenOptions
+  /// Called with the fraction that is done, from time to time. If it returns false, the result is
+  /// empty.
+  std::function<bool(double fraction)> progress = {};
+};
+
+/// The fractions of a surface that are visible.
+struct Visibility {
+  std::vector<double> faces; ///< for each face, the fraction of free rays, from 0 to 1
+  /// For each vertex, the mean over the area of its faces and of those of other vertices at the
+  /// same place; 0 without faces.
+  std::vector<double> vertices;
+};
+
+namespace internal {
+
+template <class Options>
+void require_sense(const char* function, const Options& options) {
+  const std::size_t directions = options.directions;
+  if (directions < 16 || directions > std::size_t{1} << 20)
+    throw std::invalid_argument(std::string(function) + ": " + std::to_string(directions) +
+                                " directions are not between 16 and 1048576");
+  if constexpr (requires { options.threshold; })
+    if (!(options.threshold >= 0 && options.threshold < 1))
+      throw std::invalid_argument(std::string(function) + ": the threshold " +
+                                  text_of(options.threshold) +
+                                  " is not at least 0 and less than 1");
+  if (options.threads < 1)
+    throw std::invalid_argument(std::string(function) + ": there has to be a thread");
+}
+
+inline HiddenGroup hidden_group(FaceGroup&& group) {
+  HiddenGroup result{.faces = std::move(group.faces),
+                     .area = group.area,
+                     .volume = group.is_closed ? std::abs(group.volume) : 0,
+                     .diagonal = group.diagonal};
+  if (group.is_closed)
+    result.kind = group.volume < 0 ? HiddenKind::cavity : HiddenKind::inner_component;
+  return result;
+}
+
+inline HiddenFaces hidden_faces_of(TriangleSoup<> surface, const HiddenOptions& options,
+                                   Threads threads) {
+  join_places(surface);
+  HiddenFaces result;
+  HiddenSearch search(surface, options.directions, options.threshold, options.front_only);
+  result.is_cancelled = !search.run(threads, options.progress);
+  result.is_hidden =
+      result.is_cancelled ? std::vector<bool>(surface.triangles.size()) : search.hidden();
+  FaceGroups groups(surface, result.is_hidden);
+  result.cut_edges = groups.cut_edges();
+  for (FaceGroup& group : groups.take()) {
+    result.count += group.faces.size();
+    result.area += group.area;
+    result.groups.push_back(hidden_group(std::move(group)));
+  }
+  for (std::size_t face = 0; face < surface.triangles.size(); ++face)
+    result.whole_area += FaceGroups::area(surface, face);
+  return result;
+}
+
+inline Visibility visibility_of(const TriangleSoup<>& surface, const VisibilityOptions& options,
+                                Threads threads) {
+  TriangleSoup<> joined = surface;
+  join_places(joined);
+  VisibleFractions fractions(surface, joined, options.directions, options.front_only);
+  if (!fractions.run(threads, options.progress))
+    return {};
+  return {fractions.faces(), fractions.vertices()};
+}
+
+inline void require_least(const char* function, double least) {
+  if (!(least >= 0 && least <= 1))
+    throw std::invalid_argument(std::string(function) + ": the least importance " + text_of(least) +
+                                " is not between 0 and 1");
+}
+
+inline std::vector<double> importances_of(std::vector<double> fractions, double least) {
+  for (double& x : fractions)
+    x = (std::max)(x, least);
+  return fractions;
+}
+
+inline namespace QUADRILLE_THREADING {
+
+/// Returns the threads of a call. Throws std::invalid_argument without oneTBB.
+inline Threads threads_of(const char* function, unsigned count) {
+#ifndef QUADRILLE_WITH_TBB
+  if (count > 1)
+    throw std::invalid_argument(std::string(function) + ": " + std::to_string(count) +
+                                " threads need oneTBB: link quadrille::parallel");
+#endif
+  (void)function;
+  return threads_here(count);
+}
+
+} // namespace QUADRILLE_THREADING
+
+/// Removes the triangles that are hidden.
+template <class Triangles>
+void keep_seen(Triangles& triangles, const std::vector<bool>& is_hidden) {
+  auto kept = empty_like(triangles);
+  for (std::size_t face = 0; face < is_hidden.size(); ++face)
+    if (!is_hidden[face])
+      kept.push_back(triangles[face]);
+  std::swap(triangles, kept);
+}
+
+} // namespace internal
+
+inline namespace QUADRILLE_THREADING {
+
+/// Finds the faces of a polygon soup that no ray from outside reaches.
+///
+/// Each face sends rays from points spread over it into directions spread over the sphere, and is
+/// seen if one of them meets no other face, or more of them than HiddenOptions::threshold allows.
+/// Unseen faces next to seen ones get eight times as many rays, until none of them turns out to be
+/// seen. Points and directions are always the same, and so is the result, whatever the threads.
+///
+/// So no face is hidden that a ray has left unhindered. But a face which is seen through an opening
+/// so small that no ray has met it, and whose neighbours are not seen either, counts as hidden: one
+/// that is seen from a fraction f of the directions is missed with a probability of about
+/// (1 - f)^(directions/2), and a region of k such faces with a probability of about
+/// (1 - f)^(k directions/2). A face gets the more rays the larger it is: `directions` for the mean
+/// area, or for 1/4096 of the whole area if that is less, up to 1024 times that.
+///
+/// Faces that intersect or touch hide what is behind them. A face does not hide its duplicate or
+/// reverse: of a double-sided sheet nothing is hidden. Open surfaces and non-manifold ones are
+/// allowed. Faces are connected to those that have two points in common with them; points at the
+/// same place are one.
+///
+/// Expected time: O(n log n) for n faces, with about 0.4 µs per ray; hidden faces take all their
+/// rays, others a few. Memory: about 150 bytes per face.
+///
+/// Points and triangles are those of surface_distance(): ranges of anything with coordinates, and
+/// of three indices. Throws std::invalid_argument for options that make no sense, a face that is
+/// not a triangle or names a point that is not there, and a point that is not finite.
+template <class Points, class Triangles>
+requires internal::ReadableSoup<Points, Triangles> HiddenFaces
+hidden_faces(const Points& points, const Triangles& triangles, const HiddenOptions& options = {}) {
+  constexpr const char* function = "quadrille::hidden_faces";
+  internal::require_sense(function, options);
+  return internal::hidden_faces_of(internal::read_surface(function, points, triangles), options,
+                                   internal::threads_of(function, options.threads));
+}
+
+/// Finds the hidden faces of a mesh, a model of CGAL's FaceListGraph, which are numbered in their
+/// order.
+template <internal::ReadableGraph Mesh>
+HiddenFaces hidden_faces(const Mesh& mesh, const HiddenOptions& options = {}) {
+  constexpr const char* function = "quadrille::hidden_faces";
+  internal::require_sense(function, options);
+  return internal::hidden_faces_of(internal::read_surface(function, mesh), options,
+                                   internal::threads_of(function, options.threads));
+}
+
+/// Removes the hidden faces of a polygon soup: see hidden_faces(). Returns what has been removed.
+///
+/// The other triangles keep their order, and all points stay as they are, so whatever belongs to a
+/// point still does. What belongs to a triangle stays for those that are not
+/// HiddenFaces::is_hidden. Points without triangles may be left; simplify() drops them. The
+/// containers are those of simplify() that can grow. If an exception is thrown or the search is
+/// cancelled, the soup is unchanged.
+template <class Points, class Triangles>
+requires internal::ReadableSoup<Points, Triangles> && requires(Triangles& triangles) {
+  triangles.push_back(triangles[0]);
+}
+HiddenFaces remove_hidden(const Points& points, Triangles& triangles,
+                          const HiddenOptions& options = {}) {
+  constexpr const char* function = "quadrille::remove_hidden";
+  internal::require_sense(function, options);
+  HiddenFaces hidden =
+      internal::hidden_faces_of(internal::read_surface(function, points, triangles), options,
+                                internal::threads_of(function, options.threads));
+  internal::keep_seen(triangles, hidden.is_hidden);
+  return hidden;
+}
+
+/// Removes the hidden faces of a mesh, a model of CGAL's MutableFaceGraph, and vertices and edges
+/// that have no other face. All else keeps its descriptors.
+template <internal::FaceGraph Mesh>
+HiddenFaces remove_hidden(Mesh& mesh, const HiddenOptions& options = {}) {
+  constexpr const char* function = "quadrille::remove_hidden";
+  internal::require_sense(function, options);
+  HiddenFaces hidden = internal::hidden_faces_of(internal::read_surface(function, mesh), options,
+                                                 internal::threads_of(function, options.threads));
+  std::vector<typename boost::graph_traits<Mesh>::face_descriptor> removed;
+  std::size_t number = 0;
+  for (const auto face : faces(mesh))
+    if (hidden.is_hidden[number++])
+      removed.push_back(face);
+  for (const auto face : removed)
+    CGAL::Euler::remove_face(halfedge(face, mesh), mesh);
+  return hidden;
+}
+
+/// Returns how much of each face and vertex of a polygon soup is seen from outside: the fraction of
+/// all directions on one side of a face in which nothing is in the way, in the mean over the face;
+/// of its better side, unless only the front counts. Each face of a convex surface has 1, and a
+/// hidden one 0. The standard deviation is about sqrt(f (1 - f) 2 / directions) at most.
+///
+/// Rays, arguments and errors are those of hidden_faces(); all faces get all their rays.
+template <class Points, class Triangles>
+requires internal::ReadableSoup<Points, Triangles>
+    Visibility visibility(const Points& points, const Triangles& triangles,
+                          const VisibilityOptions& options = {}) {
+  constexpr const char* function = "quadrille::visibility";
+  internal::require_sense(function, options);
+  return internal::visibility_of(internal::read_surface(function, points, triangles), options,
+                                 internal::threads_of(function, options.threads));
+}
+
+/// Returns how much of each face and vertex of a mesh is seen, in their order.
+template <internal::ReadableGraph Mesh>
+Visibility visibility(const Mesh& mesh, const VisibilityOptions& options = {}) {
+  constexpr const char* function = "quadrille::visibility";
+  internal::require_sense(function, options);
+  return internal::visibility_of(internal::read_surface(function, mesh), options,
+                                 internal::threads_of(function, options.threads));
+}
+
+} // namespace QUADRILLE_THREADING
+
+/// Returns importances for vertex_importance_map from what visibility() has found: its fractions at
+/// the vertices, but at least `least`. Regions that are not seen then get about least^(1/3) times
+/// the faces: an eighth with 1/512. They may be multiplied with another map.
+///
+/// Throws std::invalid_argument if `least` is not between 0 and 1.
+inline std::vector<double> visibility_importance(const Visibility& visibility,
+                                                 double least = 1. / 512) {
+  internal::require_least("quadrille::visibility_importance", least);
+  return internal::importances_of(visibility.vertices, least);
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_HIDDEN_H

@@ -1,0 +1,206 @@
+#ifndef QUADRILLE_INTERNAL_VISIBILITY_FACE_RAYS_H
+#define QUADRILLE_INTERNAL_VISIBILITY_FACE_RAYS_H
+
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/threads.h>
+#include <quadrille/internal/visibility/ray_directions.h>
+#include <quadrille/internal/visibility/ray_tree.h>
+#include <quadrille/quadric_form.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The rays that have left a face on each of its sides, and those that nothing was in the way of.
+struct RayCounts {
+  std::array<std::uint32_t, 2> rays{}, free{}; ///< the front and the back
+
+  std::uint32_t all() const { return rays[0] + rays[1]; }
+  std::uint32_t most_free() const { return (std::max)(free[0], free[1]); }
+  /// Adds the rays of another face, which may be turned around.
+  void add(const RayCounts& other, bool is_turned) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      rays[side] += other.rays[is_turned ? 1 - side : side];
+      free[side] += other.free[is_turned ? 1 - side : side];
+    }
+  }
+  /// Returns the fraction of free rays, of the side that has more: from 0 to 1.
+  double fraction() const {
+    double most = 0;
+    for (std::size_t side = 0; side < 2; ++side)
+      if (rays[side] > 0)
+        most = (std::max)(most, static_cast<double>(free[side]) / rays[side]);
+    return most;
+  }
+};
+
+/// How a face is looked at.
+struct RayPlan {
+  bool is_front_only = false; ///< do back sides count?
+  /// A face is not looked at any longer once its fraction of free rays is certainly above that;
+  /// with 1, it always gets all rays.
+  double enough = 1;
+};
+
+/// Sends rays from faces. Each ray leaves from a point of its own, so that points and directions
+/// are spread together.
+class FaceRays {
+public:
+  FaceRays(const RayTree& tree, std::size_t directions, const RayPlan& plan)
+      : tree_(tree), directions_(directions), plan_(plan), areas_(tree.size()) {
+    double sum = 0;
+    for (std::size_t slot = 0; slot < tree.size(); ++slot)
+      sum += areas_[slot] = std::sqrt(squared_length(normal(slot)));
+    unit_area_ = sum > 0 ? sum / (std::max)(static_cast<double>(tree.size()), fewest_units) : 1;
+  }
+
+  /// The sets of directions of a face with a unit of area: others get the more of them the larger
+  /// they are.
+  struct Sets {
+    std::size_t first, count;
+  };
+
+  /// Sends rays from several faces, which should be near each other: all rays of some sets of
+  /// directions, or as many as a face needs. `counts(slot)` is the one of a face; no other thread
+  /// has it at the same time.
+  template <class CountsOf>
+  void look(std::span<const Index> slots, const Sets& sets, CountsOf counts) const {
+    std::vector<Look> looks;
+    for (const Index slot : slots)
+      looks.push_back({slot, sets.first + sets.count * units(slot), normal(slot),
+                       tree_.corners(slot), &counts(slot)});
+    for (std::size_t round = sets.first; !looks.empty(); ++round) {
+      for (std::size_t begin = 0; begin < directions_.size(); begin += batch) {
+        std::erase_if(looks, [&](const Look& look) { return is_enough(*look.counts); });
+        const std::size_t end = (std::min)(begin + batch, directions_.size());
+        for (std::size_t i = begin; i < end; ++i)
+          send_along(i, round, looks);
+      }
+      std::erase_if(looks, [&](const Look& look) { return look.end == round + 1; });
+    }
+  }
+
+  /// Has a face certainly more free rays than are enough?
+  bool is_enough(const RayCounts& counts) const {
+    return plan_.enough < 1 &&
+           counts.most_free() >= certain + 2 * plan_.enough * static_cast<double>(counts.all());
+  }
+
+  /// Returns the normal of a face, of twice the length of its area.
+  Vector<3> normal(std::size_t slot) const {
+    const auto [a, b, c] = tree_.corners(slot);
+    return cross(b - a, c - a);
+  }
+
+private:
+  static constexpr std::size_t batch = 16;
+  static constexpr std::size_t kinds = 16;    // faces of different kinds take different sets
+  static constexpr std::uint32_t certain = 4; // free rays
+  // Surfaces of few faces get as many rays in all as those of more.
+  static constexpr double fewest_units = 1 << 12, most_units = 1 << 10;
+
+  /// A face that is being looked at.
+  struct Look {
+    Index slot;
+    std::size_t end; // the last set of directions, plus one
+    Vector<3> normal;
+    std::array<Vector<3>, 3> corners;
+    RayCounts* counts;
+  };
+
+  // Sends the rays with the same number in all sets. Those of a set are parallel, and near each
+  // other, so that they meet the same faces: this takes half the time of one face after another.
+  void send_along(std::size_t i, std::size_t round, std::vector<Look>& looks) const {
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+      const Vector<3>& direction = directions_(kinds * round + kind, i);
+      Index recent = none;
+      for (const Look& look : looks)
+        if (look.slot / EightBoxes::width % kinds == kind)
+          send(look, direction, round * directions_.size() + i, recent);
+    }
+  }
+
+  void send(const Look& look, const Vector<3>& direction, std::size_t number, Index& recent) const {
+    RayCounts& counts = *look.counts;
+    const std::size_t side = dot(direction, look.normal) < 0 ? 1 : 0;
+    if (side == 1 && plan_.is_front_only)
+      return;
+    ++counts.rays[side];
+    const Ray ray(point(look.corners, look.slot + number), direction);
+    counts.free[side] += tree_.is_blocked(ray, look.slot, recent) ? 0 : 1;
+  }
+
+  std::size_t units(std::size_t slot) const {
+    return static_cast<std::size_t>(
+        std::clamp(std::round(areas_[slot] / unit_area_), 1.0, most_units));
+  }
+
+  // An evenly spread sequence over the triangle. Source: Roberts, The unreasonable effectiveness of
+  // quasirandom sequences, 2018.
+  static Vector<3> point(const std::array<Vector<3>, 3>& corners, std::size_t i) {
+    constexpr double x_step = 0.7548776662466927, y_step = 0.5698402909980532;
+    const auto fraction = [&](double step) {
+      const double x = 0.5 + static_cast<double>(i) * step;
+      return x - std::floor(x);
+    };
+    double s = fraction(x_step), t = fraction(y_step);
+    if (s + t > 1)
+      s = 1 - s, t = 1 - t;
+    return (1 - s - t) * corners[0] + s * corners[1] + t * corners[2];
+  }
+
+  const RayTree& tree_;
+  RayDirections directions_;
+  RayPlan plan_;
+  std::vector<double> areas_;
+  double unit_area_ = 1;
+};
+
+/// Work on many faces, on some threads, with the word of a caller who may end it.
+class FaceWork {
+public:
+  FaceWork(Threads threads, const std::function<bool(double)>& progress)
+      : threads_(threads), progress_(progress) {}
+
+  /// Calls work(some) for all parts of a list. Reports the progress from `begin` to `end`. Returns
+  /// false if the caller has ended it.
+  template <class Work>
+  bool operator()(std::span<const Index> slots, double begin, double end, const Work& work) {
+    bool goes_on = report(begin);
+    with_threads(threads_, [&] {
+      const std::size_t blocks = (slots.size() + block - 1) / block,
+                        stride = blocks_at_once * threads_;
+      for (std::size_t first = 0; first < blocks && goes_on; first += stride) {
+        const std::size_t last = (std::min)(first + stride, blocks);
+        parallel_for(threads_, last - first, [&](std::size_t b, std::size_t) {
+          const std::size_t from = (first + b) * block;
+          work(slots.subspan(from, (std::min)(block, slots.size() - from)));
+        });
+        const double done = static_cast<double>(last) / static_cast<double>(blocks);
+        goes_on = report(begin + done * (end - begin));
+      }
+    });
+    return goes_on;
+  }
+
+private:
+  static constexpr std::size_t block = 1024;       // faces
+  static constexpr std::size_t blocks_at_once = 8; // for each thread
+
+  bool report(double fraction) const { return !progress_ || progress_(fraction); }
+
+  Threads threads_;
+  const std::function<bool(double)>& progress_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_VISIBILITY_FACE_RAYS_H
