@@ -1,22 +1,24 @@
 // Time of the package in JavaScript beside that of the npm package meshoptimizer, in node, from typed arrays to
 // typed arrays, to a tenth of the faces; and the distance of the results to the input.
-//   node compare.mjs PACKAGE DISTANCE_PROGRAM MODEL.off...
+// Times are those of the processor, so that other work on the machine counts little.
+//   node compare.mjs PACKAGE DISTANCE_PROGRAM MODEL...
+// Models are OFF files, or OBJ files of triangles.
 // It is run where node_modules/meshoptimizer is. See run.sh.
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
-import { basename, join, resolve } from "node:path";
+import { basename, extname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { gzipSync } from "node:zlib";
+import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 
 const [folder, program, ...models] = process.argv.slice(2);
 const modules = createRequire(join(process.cwd(), "package.json"));
 const { MeshoptSimplifier } = await import(pathToFileURL(modules.resolve("meshoptimizer")));
 const { load } = await import(pathToFileURL(resolve(folder, "index.js")));
 const { version } = JSON.parse(readFileSync(join(process.cwd(), "node_modules/meshoptimizer/package.json")));
-const rounds = 15;
+const rounds = Number(process.env.ROUNDS ?? 15);
 
 function readOff(path) {
   const numbers = readFileSync(path, "utf8").replace(/#.*/g, "").replace(/^\s*OFF/, "").split(/\s+/).filter(Boolean).map(Number);
@@ -24,6 +26,12 @@ function readOff(path) {
   const positions = Float32Array.from(numbers.slice(3, 3 + 3 * points)), indices = new Uint32Array(3 * faces);
   for (let face = 0, at = 3 + 3 * points; face < faces; ++face, at += 4) indices.set(numbers.slice(at + 1, at + 4), 3 * face);
   return { positions, indices };
+}
+
+function readObj(path) {
+  const lines = readFileSync(path, "utf8").split("\n").map((line) => line.trim().split(/\s+/));
+  const rows = (key, value) => lines.filter(([word]) => word === key).flatMap(([, ...words]) => words.slice(0, 3).map(value));
+  return { positions: Float32Array.from(rows("v", Number)), indices: Uint32Array.from(rows("f", (word) => Number.parseInt(word) - 1)) };
 }
 
 // A unit vector at each point, of the areas around.
@@ -74,24 +82,26 @@ const distances = (input, result) => execFileSync(program, [input, result], { en
 console.log(`node ${process.version}, meshoptimizer ${version}, Quadrille ${quadrille.version}`);
 for (const [name, path] of [["quadrille.wasm", join(folder, "quadrille.wasm")], ["meshopt_simplifier.js", join(process.cwd(), "node_modules/meshoptimizer/meshopt_simplifier.js")]]) {
   const bytes = readFileSync(path);
-  console.log(`${name}: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} with gzip -9`);
+  const brotli = brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length, [constants.BROTLI_PARAM_LGWIN]: 24 } });
+  console.log(`${name}: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} with gzip -9, ${brotli.length} with brotli -q 11 -w 24`);
 }
 for (const path of models) {
-  const mesh = readOff(path), target = Math.round(mesh.indices.length / 30), input = join(work, "input.off");
+  const mesh = extname(path) === ".obj" ? readObj(path) : readOff(path), target = Math.round(mesh.indices.length / 30), input = join(work, "input.off");
   mesh.normals = normalsOf(mesh);
   writeOff(input, mesh);
   const { normals, ...bare } = mesh;
   const times = contenders.map(() => []), results = [];
   for (let round = 0; round < rounds; ++round)
     contenders.forEach(([name, simplify], i) => {
-      const given = name.includes("normals") ? mesh : bare, begin = performance.now();
+      const given = name.includes("normals") ? mesh : bare, begin = process.cpuUsage();
       results[i] = simplify(given, target);
-      times[i].push(performance.now() - begin);
+      const { user, system } = process.cpuUsage(begin);
+      times[i].push((user + system) / 1000);
     });
   contenders.forEach(([name], i) => {
     writeOff(join(work, "result.off"), results[i]);
     const error = distances(input, join(work, "result.off"));
-    console.log(`| ${basename(path, ".off")} | ${name} | ${results[i].indices.length / 3} | ${told(times[i])} | ${error} |`);
+    console.log(`| ${basename(path, extname(path))} | ${name} | ${results[i].indices.length / 3} | ${told(times[i])} | ${error} |`);
   });
 }
 rmSync(work, { recursive: true });

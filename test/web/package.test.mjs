@@ -2,10 +2,13 @@
 //   PACKAGE=FOLDER node --test package.test.mjs
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { brotliCompressSync, constants } from "node:zlib";
 
 const { PACKAGE } = process.env;
 const { load } = await import(pathToFileURL(resolve(PACKAGE, "index.js")));
@@ -205,8 +208,23 @@ test("more than there is memory for is told, and the module goes on", () => {
 });
 
 test("the module is as small as it is said to be", () => {
-  const bytes = readFileSync(join(PACKAGE, "quadrille.wasm")).length;
-  assert.ok(bytes < 2e6, `${bytes} bytes`);
+  const bytes = readFileSync(join(PACKAGE, "quadrille.wasm"));
+  const compressed = brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_LGWIN]: 24 } });
+  assert.ok(compressed.length < 400e3, `${bytes.length} bytes, ${compressed.length} with brotli`);
+});
+
+test("a script writes OFF files with the numbers of the program", () => {
+  const folder = mkdtempSync(join(tmpdir(), "off-"));
+  try {
+    const written = "-0 1e-07 1e+22\n1e-04 1e+05 1e+06\n123456.5 0.1 -2.5e-09\n17 5e-324 12345678901234568";
+    const [input, output] = ["in.off", "out.off"].map((name) => join(folder, name));
+    const text = (points) => `OFF\n4 2 0\n${points}\n3 0 1 2\n3 1 3 2\n`;
+    writeFileSync(input, text("-0 0.0000001 10000000000000000000000\n1e-4 1e5 1000000\n123456.5 0.1 -0.0000000025\n17 5e-324 12345678901234567"));
+    execFileSync(process.execPath, [join(import.meta.dirname, "../../examples/products/web/simplify_off.mjs"), input, output, '{"faces": 2}', resolve(PACKAGE)], { stdio: "pipe" });
+    assert.equal(readFileSync(output, "utf8"), text(written));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
 
 test("the module asks for nothing but a clock", () => {
