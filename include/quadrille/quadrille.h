@@ -248,7 +248,15 @@ QUADRILLE_C int32_t quadrille_simplify(quadrille_call* call);
  * points: doubles; triangles, labels, input_faces (the triangle of the input that each is):
  * integers of 32 bits; vertex_map (for each point of the input its point of the result, or -1):
  * signed integers of 64 bits, none with split_vertices; values, corners: those of a channel. An
- * array that the result does not have has no rows. */
+ * array that the result does not have has no rows.
+ *
+ * With the option maps also two sparse matrices by rows (CSR), whose products with a value for each
+ * column are a value for each row. old_to_new has a row for each point of the input: its place on
+ * the result, as up to three points with weights above 0 and of the sum 1; none where the surface
+ * has vanished, and for points of no triangle. new_to_old has a row for each point of the result:
+ * its place on the input. The arrays old_to_new_begins (for each row its first entry, and their
+ * number at the end) and old_to_new_indices (points) are signed integers of 64 bits,
+ * old_to_new_weights doubles; the same for new_to_old. */
 QUADRILLE_C int32_t quadrille_result(quadrille_call* call, const char* name, size_t channel,
                                      quadrille_array* view);
 /** Copies an array of the result into memory of the caller, with a type and a stride. */
@@ -316,6 +324,27 @@ QUADRILLE_C size_t quadrille_level_channels(const quadrille_level* level);
  * triangle of the input that each is), or values and corners of a channel. */
 QUADRILLE_C int32_t quadrille_level_array(const quadrille_level* level, const char* name,
                                           size_t channel, quadrille_array* view);
+
+/** All levels as arrays: the coarsest level, and the vertex splits that refine it to the input. */
+typedef struct quadrille_splits quadrille_splits;
+
+/** Makes the vertex splits of levels, with errors as quadrille_levels_info() has them. */
+QUADRILLE_C int32_t quadrille_levels_splits(const quadrille_levels* levels,
+                                            quadrille_splits** splits, char* error,
+                                            size_t error_size);
+/** Deletes splits, or nothing if they are null. */
+QUADRILLE_C void quadrille_splits_delete(quadrille_splits* splits);
+/** Views an array of splits: points, merged_points, parent_points and errors are doubles, faces,
+ * input_points, input_faces, point_counts, face_counts, parents, children, corner_begins and
+ * corners integers of 32 bits.
+ *
+ * Level s has the first point_counts[s] points and the first face_counts[s] faces; level 0 is the
+ * coarsest. Split s leads to level s + 1. The corners number corner_begins[s] up to the next begin,
+ * each as 3 * face + corner, become the point children[s]; the next points and faces are appended;
+ * and the point parents[s] moves from merged_points[s] to parent_points[s]. Parents and children of
+ * a split that only restores faces are UINT32_MAX. */
+QUADRILLE_C int32_t quadrille_splits_array(const quadrille_splits* splits, const char* name,
+                                           quadrille_array* view);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,8 @@
 // The interface of C: equal to the bit with the call of C++, and every error is a code and a text.
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/option_setting.h>
+#include <quadrille/level_maps.h>
+#include <quadrille/level_splits.h>
 #include <quadrille/levels.h>
 #include <quadrille/quadrille.h>
 
@@ -29,6 +31,7 @@ struct Delete {
   void operator()(quadrille_call* call) const { quadrille_call_delete(call); }
   void operator()(quadrille_levels* levels) const { quadrille_levels_delete(levels); }
   void operator()(quadrille_level* level) const { quadrille_level_delete(level); }
+  void operator()(quadrille_splits* splits) const { quadrille_splits_delete(splits); }
 };
 using Call = std::unique_ptr<quadrille_call, Delete>;
 using LevelsHandle = std::unique_ptr<quadrille_levels, Delete>;
@@ -398,4 +401,111 @@ TEST_CASE("A call of C is cancelled from another thread") {
       call.get());
   run(call);
   CHECK(std::string(quadrille_report(call.get())).find("cancelled") != std::string::npos);
+}
+
+namespace {
+
+void require_equal(const Call& call, const std::string& name, const SparseRows& expected) {
+  CHECK(result_of<std::int64_t>(call, (name + "_begins").c_str()) == expected.begins);
+  CHECK(result_of<std::int64_t>(call, (name + "_indices").c_str()) == expected.indices);
+  CHECK(result_of<double>(call, (name + "_weights").c_str()) == expected.weights);
+}
+
+template <class T>
+std::vector<T> array_of_splits(const std::unique_ptr<quadrille_splits, Delete>& splits,
+                               const char* name) {
+  quadrille_array view;
+  REQUIRE(quadrille_splits_array(splits.get(), name, &view) == QUADRILLE_OK);
+  const auto* begin = static_cast<const T*>(view.data);
+  return {begin, begin + view.rows * view.columns};
+}
+
+} // namespace
+
+TEST_CASE("A call of C gives the sparse maps of its levels") {
+  const test::Soup soup = test::with_noise(test::sphere(3), 3, 0.01);
+  const SoupPoints points = coordinates_of(soup);
+  Levels levels;
+  simplified_soup({points, soup.triangles}, {.faces = 60, .recorder = record_into(levels)});
+  const LevelsHandle own(quadrille_levels_new());
+  for (const bool has_levels : {false, true}) {
+    Call call = call_of(points, soup.triangles);
+    REQUIRE(quadrille_set_int(call.get(), "faces", 60) == QUADRILLE_OK);
+    run(call);
+    CHECK(result_of<double>(call, "old_to_new_weights").empty()); // none without the option
+    REQUIRE(quadrille_set_int(call.get(), "maps", 1) == QUADRILLE_OK);
+    quadrille_set_levels(call.get(), has_levels ? own.get() : nullptr);
+    run(call);
+    require_equal(call, "old_to_new", old_to_new(levels, levels.coarsest()));
+    require_equal(call, "new_to_old", new_to_old(levels, levels.coarsest()));
+    quadrille_array view;
+    CHECK(quadrille_result(call.get(), "old_to_new_width", 0, &view) == QUADRILLE_INVALID);
+  }
+  CHECK(quadrille_levels_empty(own.get()) == 0);
+}
+
+TEST_CASE("Maps of C are those of points, where several are one vertex, and of nothing") {
+  const test::Soup grid = test::grid(10, 10);
+  SoupPoints points; // each triangle has its own
+  SoupTriangles triangles;
+  for (const auto& triangle : grid.triangles) {
+    for (const std::uint32_t v : triangle)
+      points.push_back(grid.points[v].coordinates);
+    const auto n = static_cast<std::uint32_t>(points.size());
+    triangles.push_back({n - 3, n - 2, n - 1});
+  }
+  points.push_back({9, 9, 9}); // of no triangle
+  Call call = call_of(points, triangles);
+  for (const char* option : {"maps", "split_vertices"})
+    REQUIRE(quadrille_set_int(call.get(), option, 1) == QUADRILLE_OK);
+  REQUIRE(quadrille_set_int(call.get(), "faces", 20) == QUADRILLE_OK);
+  run(call);
+  const auto places = result_of<double>(call, "points");
+  const auto begins = result_of<std::int64_t>(call, "old_to_new_begins");
+  const auto indices = result_of<std::int64_t>(call, "old_to_new_indices");
+  const auto weights = result_of<double>(call, "old_to_new_weights");
+  REQUIRE(begins.size() == points.size() + 1);
+  CHECK(begins[points.size() - 1] == begins[points.size()]);
+  for (std::size_t row = 0; row + 1 < points.size(); ++row)
+    for (std::size_t k = 0; k < 3; ++k) {
+      double sum = 0;
+      for (auto i = static_cast<std::size_t>(begins[row]);
+           i < static_cast<std::size_t>(begins[row + 1]); ++i)
+        sum += weights[i] * places[3 * static_cast<std::size_t>(indices[i]) + k];
+      REQUIRE(sum == Approx(points[row][k]).margin(1e-12));
+    }
+
+  const SoupTriangles none;
+  const quadrille_array t = array_of(none, QUADRILLE_UINT32);
+  REQUIRE(quadrille_set_array(call.get(), "triangles", &t) == QUADRILLE_OK);
+  run(call);
+  CHECK(result_of<std::int64_t>(call, "old_to_new_begins") ==
+        std::vector<std::int64_t>(points.size() + 1, 0));
+  CHECK(result_of<std::int64_t>(call, "new_to_old_begins") == std::vector<std::int64_t>{0});
+}
+
+TEST_CASE("Splits of C are those of C++") {
+  const test::Soup soup = test::torus(12, 8);
+  const SoupPoints points = coordinates_of(soup);
+  const LevelsHandle levels(quadrille_levels_new());
+  char error[100];
+  quadrille_splits* made = nullptr;
+  CHECK(quadrille_levels_splits(levels.get(), &made, error, sizeof(error)) == QUADRILLE_INVALID);
+  CHECK(std::string(error) == "quadrille::Levels: nothing has been recorded");
+  Call call = call_of(points, soup.triangles);
+  quadrille_set_levels(call.get(), levels.get());
+  REQUIRE(quadrille_set_int(call.get(), "faces", 20) == QUADRILLE_OK);
+  run(call);
+  Levels own;
+  simplified_soup({points, soup.triangles}, {.faces = 20, .recorder = record_into(own)});
+  const VertexSplits expected = vertex_splits(own);
+  REQUIRE(quadrille_levels_splits(levels.get(), &made, error, sizeof(error)) == QUADRILLE_OK);
+  const std::unique_ptr<quadrille_splits, Delete> splits(made);
+  CHECK(array_of_splits<double>(splits, "points") == flat(expected.points));
+  CHECK(array_of_splits<std::uint32_t>(splits, "faces") == flat(expected.faces));
+  CHECK(array_of_splits<std::uint32_t>(splits, "parents") == expected.parents);
+  CHECK(array_of_splits<std::uint32_t>(splits, "corners") == expected.corners);
+  CHECK(array_of_splits<double>(splits, "errors") == expected.errors);
+  quadrille_array view;
+  CHECK(quadrille_splits_array(splits.get(), "values", &view) == QUADRILLE_INVALID);
 }

@@ -81,12 +81,14 @@ struct ReadSoup {
 void forget_result(quadrille_call& call) {
   call.result = {};
   call.vertex_map.clear();
+  call.old_to_new = {};
+  call.new_to_old = {};
   call.report.clear();
   call.report_text.clear();
 }
 
 // Makes policies of the functions of the caller, which are those of the call.
-void set_functions(quadrille_call& call, SoupJob& job, CallProgress& progress) {
+void set_functions(const quadrille_call& call, SoupJob& job, CallProgress& progress) {
   job.proceed = [&](const Status& status) { return progress(status); };
   if (call.stop)
     job.stop = [&](const Status& status) { return answer_of(call.stop, "stop", view_of(status)); };
@@ -96,8 +98,6 @@ void set_functions(quadrille_call& call, SoupJob& job, CallProgress& progress) {
     };
   if (call.cost)
     job.cost_function = [&](const SoupPair& pair) { return cost_of(call.cost, pair); };
-  if (call.levels)
-    job.recorder = record_into(call.levels->levels);
 }
 
 void run(quadrille_call& call, const SimplifyJob& simplify) {
@@ -110,8 +110,14 @@ void run(quadrille_call& call, const SimplifyJob& simplify) {
     job.coordinates_are_floats = true;
   CallProgress progress(call.progress, call.is_cancelled);
   set_functions(call, job, progress);
+  Levels of_maps;
+  Levels& levels = call.levels ? call.levels->levels : of_maps;
+  if (call.levels || job.maps)
+    job.recorder = record_into(levels);
   const ReadSoup soup(call);
   call.result = simplify(soup.view(), job);
+  if (job.maps)
+    set_maps(call, soup.view(), levels);
   call.vertex_map.assign(call.result.vertex_map.begin(), call.result.vertex_map.end());
   call.result.vertex_map.clear();
 }

@@ -5,6 +5,7 @@
 #include <quadrille/c/functions.h>
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/soup_job.h>
+#include <quadrille/level_maps.h>
 #include <quadrille/levels.h>
 
 #include <atomic>
@@ -51,6 +52,7 @@ struct quadrille_call {
   quadrille::SoupResult result;
   std::vector<std::int64_t> vertex_map; ///< the vertex map of the result
   std::string report, report_text, error;
+  quadrille::SparseRows old_to_new, new_to_old; ///< if the call has the option maps
 
   /// Returns a channel. Throws std::out_of_range if there is none.
   quadrille_call_channel& channel(std::size_t index) {
@@ -64,6 +66,9 @@ struct quadrille_call {
 namespace quadrille::internal {
 
 using SimplifyJob = std::function<SoupResult(const SoupView&, const SoupJob&)>;
+
+/// Sets the sparse maps of a call from its levels.
+void set_maps(quadrille_call& call, const SoupView& soup, const Levels& levels);
 
 /// Runs a call by a function, and keeps its result. Returns the code of what it throws.
 std::int32_t run_call(quadrille_call& call, const SimplifyJob& simplify);

@@ -86,8 +86,27 @@ std::optional<double> number(const Other&) {
 
 // --- Arrays of a result
 
+// Returns an array of a sparse map, or nothing if no name begins like that.
+std::optional<quadrille_array> array_of(const SparseRows& rows, std::string_view map,
+                                        std::string_view name) {
+  if (!name.starts_with(map))
+    return std::nullopt;
+  const std::string_view suffix = name.substr(map.size());
+  if (suffix == "_begins")
+    return view_of(rows.begins);
+  if (suffix == "_indices")
+    return view_of(rows.indices);
+  if (suffix == "_weights")
+    return view_of(rows.weights);
+  return std::nullopt;
+}
+
 quadrille_array array_of(const quadrille_call& call, std::string_view name, std::size_t channel) {
   const SoupResult& result = call.result;
+  if (const auto found = array_of(call.old_to_new, "old_to_new", name))
+    return *found;
+  if (const auto found = array_of(call.new_to_old, "new_to_old", name))
+    return *found;
   if (name == "points")
     return view_of(result.points);
   if (name == "triangles")

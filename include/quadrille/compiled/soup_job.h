@@ -29,6 +29,7 @@ struct SoupJob : SoupOptions {
 
   std::optional<Hull> hull = {};       ///< see OuterHull and InnerHull
   bool keep_volume = false;            ///< see VolumeKeeping
+  bool maps = false;                   ///< see old_to_new() and new_to_old()
   SoupCostFunction cost_function = {}; ///< replaces the cost, if there is one
 };
 

@@ -12,6 +12,8 @@ Mesh        points and faces with uv, normals, colors, attributes and labels
 Channel     the values of an attribute, with options for its weight and its seams
 Simplified  the result of simplify(): a Mesh with a report
 Levels      all levels of detail of a surface from one run, in memory and in a file
+Splits      levels as arrays of vertex splits
+SparseMap   where the points of the input are on the result, and the other way round, as a sparse matrix
 read_mesh, write_mesh  files: OFF, OBJ, PLY, STL, GOCAD
 simplify_gltf  glTF documents, from file to file
 simplify_file, FileJob  surfaces larger than memory, from file to file, in chunks
@@ -28,13 +30,14 @@ from ._file_jobs import FileJob, SimplifiedFile, simplify_file
 from ._files import read_mesh, write_mesh
 from ._gltf import simplify_gltf
 from ._importance import curvature_importance, view_importance
-from ._levels import Level, Levels
+from ._levels import Level, Levels, Splits
+from ._maps import SparseMap
 from ._measures import Distance, Finding, Verdict, surface_distance, verify
 from ._mesh import Channel, Mesh, Simplified
 from ._simplify import simplify
 
 __version__: str = _core.version
 __all__ = ["Channel", "Contraction", "Distance", "FileEstimate", "FileJob", "FileStatus", "Finding", "Level", "Levels",
-           "Mesh", "Pair", "Report", "Simplified", "SimplifiedFile", "Status", "Verdict", "curvature_importance",
+           "Mesh", "Pair", "Report", "Simplified", "SimplifiedFile", "SparseMap", "Splits", "Status", "Verdict", "curvature_importance",
            "read_mesh", "simplify", "simplify_file", "simplify_gltf", "surface_distance", "verify", "view_importance",
            "write_mesh"]

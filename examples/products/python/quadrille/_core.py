@@ -50,6 +50,9 @@ _level_delete = declare("quadrille_level_delete", None, c_void_p)
 _level_figures = declare("quadrille_level_figures", CLevelInfo, c_void_p)
 _level_channels = declare("quadrille_level_channels", c_size_t, c_void_p)
 _level_array = declare("quadrille_level_array", c_int32, c_void_p, c_char_p, c_size_t, _ARRAY)
+_levels_splits = declare("quadrille_levels_splits", c_int32, c_void_p, POINTER(c_void_p), c_char_p, c_size_t)
+_splits_delete = declare("quadrille_splits_delete", None, c_void_p)
+_splits_array = declare("quadrille_splits_array", c_int32, c_void_p, c_char_p, _ARRAY)
 _functions_delete = declare("quadrille_functions_delete", None, c_void_p)
 _job_delete = declare("quadrille_file_job_delete", None, c_void_p)
 
@@ -103,6 +106,7 @@ class Options:
     no_self_intersection = False
     keep_solid = False
     coordinates_are_floats = False
+    maps = False
     fixed: Any = ()
     importance: Any = ()
     selected: Any = ()
@@ -213,8 +217,20 @@ _MEMBERS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "
 class Report:
     """What simplify() did. str(report) is one line."""
 
-    def __init__(self, members: Dict[str, Any]):
-        self._members = members
+    def __init__(self, members: Any):
+        self._given = members  # a dict of all figures, or bytes of JSON, which are parsed once somebody asks
+
+    @property
+    def _members(self) -> Dict[str, Any]:
+        if isinstance(self._given, bytes):
+            self._given = json.loads(self._given)
+        return self._given  # type: ignore[no-any-return]
+
+    @property
+    def is_target_reached(self) -> bool:
+        if isinstance(self._given, bytes):  # each call asks this
+            return b'"is_target_reached": true' in self._given
+        return self._given["is_target_reached"]  # type: ignore[no-any-return]
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or name not in self._members:
@@ -277,7 +293,7 @@ class Report:
         return self.to_dict()
 
     def __setstate__(self, state: Any) -> None:
-        self._members = Report.from_dict(state)._members
+        self._given = Report.from_dict(state)._given
 
     def __repr__(self) -> str:
         return f"<quadrille.Report: {self}>"
@@ -504,10 +520,10 @@ class _Call:
     def result(self, name: str, channel: int = 0) -> Array:
         view = CArray()
         self.check(_result(self.handle, name.encode(), channel, byref(view)))
-        return array_of(view, self, name in ("labels", "input_faces", "vertex_map"))
+        return array_of(view, self, view.columns == 1 and name not in ("values", "points"))
 
     def report(self) -> Report:
-        return Report(json.loads(_report(self.handle)))
+        return Report(_report(self.handle))
 
 
 Channel = Tuple[Any, Array, Optional[Array], ChannelOptions]
@@ -535,10 +551,14 @@ def simplify(points: Array, faces: Array, labels: Optional[Array], channels: Any
         code = levels._record(call, run)
     call.check(code, functions.caught)
     call.kept.clear()
-    result: Dict[str, Any] = {name: call.result(name) for name in ("points", "labels", "input_faces", "vertex_map")}
+    result: Dict[str, Any] = {name: call.result(name) for name in ("points", "input_faces", "vertex_map")}
     result["faces"] = call.result("triangles")
+    result["labels"] = None if labels is None else call.result("labels")
     result["channels"] = [(call.result("values", i), call.result("corners", i)) for i in range(len(channels))]
     result["report"] = call.report()
+    if options.maps:
+        for name in ("old_to_new", "new_to_old"):
+            result[name] = [call.result(f"{name}_{part}") for part in ("begins", "indices", "weights")]
     return result
 
 
@@ -621,6 +641,12 @@ class Levels:
             raise type(error)(text_of(_levels_error(self._handle))) from None
 
 
+    def splits(self) -> Dict[str, Array]:
+        made = c_void_p()
+        self._read(_levels_splits, byref(made))
+        return _SplitsHandle(made).arrays()
+
+
 def _dict_of(info: CLevelInfo) -> Dict[str, Any]:
     return {name: getattr(info, name) for name, _ in CLevelInfo._fields_}
 
@@ -647,6 +673,25 @@ class _LevelHandle:
             corners = self._array("corners", channel)
             has_corners = len(corners) > 0 or len(result["faces"]) == 0
             result["channels"].append((self._array("values", channel), corners if has_corners else None))
+        return result
+
+
+class _SplitsHandle:
+    """quadrille_splits"""
+
+    def __init__(self, handle: c_void_p):
+        self._handle = handle
+
+    def __del__(self) -> None:
+        _splits_delete(self._handle)
+
+    def arrays(self) -> Dict[str, Array]:
+        result: Dict[str, Array] = {}
+        for name in ("points", "faces", "input_points", "input_faces", "point_counts", "face_counts", "errors",
+                     "parents", "children", "merged_points", "parent_points", "corner_begins", "corners"):
+            view = CArray()
+            _splits_array(self._handle, name.encode(), byref(view))
+            result[name] = array_of(view, self, view.columns == 1)
         return result
 
 

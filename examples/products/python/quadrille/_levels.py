@@ -8,6 +8,8 @@ import os
 import tempfile
 from typing import Any, Dict, List, Optional, Tuple, Union
 
+import numpy as np
+
 from . import _core
 from ._forms import Array
 from ._mesh import Mesh, set_channels
@@ -33,6 +35,53 @@ class Level(Mesh):
     contractions: int = 0
     input_points: Array = None  # type: ignore[assignment] # Levels.at() gives it
     input_faces: Array = None  # type: ignore[assignment] # the same
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Splits:
+    """Levels as arrays: the coarsest level, and the vertex splits that refine it to the input.
+
+    Level s has the points 0 to point_counts[s] - 1 and the faces 0 to face_counts[s] - 1. Level 0 is the coarsest
+    one, with the first points and faces; the last level is the input. Split s leads from level s to level s + 1:
+
+        flat[corners[corner_begins[s]:corner_begins[s + 1]]] = children[s]      # flat = faces_now.reshape(-1)
+        # the next points and faces are appended, up to point_counts[s + 1] and face_counts[s + 1]
+        points_now[parents[s]] = parent_points[s]
+
+    With splits = levels.export_splits(), level s is the bytes of levels.at(contractions=len(splits.parents) - s),
+    whose points and faces are in the order of input_points and input_faces. Integers are int64. Channels are not
+    included.
+
+    points         (n, 3): the position of each point when it appears, at level 0 or after its split
+    faces          (m, 3): the points of each face when it appears
+    input_points, input_faces  for each point and face, its index in the input
+    point_counts, face_counts, errors  for each level; errors as Level.error
+    parents        for each split, the point that is split; -1 for one that only restores faces, such as a
+                   component that has vanished
+    children       for each split, the last point that it adds, usually the only one; -1 in the same case
+    merged_points  (splits, 3): the position of the parent before the split
+    parent_points  (splits, 3): the position of the parent after it
+    corner_begins  (splits + 1,): for each split its first entry in corners, and their number at the end
+    corners        the corners that move from the parent to the child, as 3 * face + corner
+    """
+
+    points: Array
+    faces: Array
+    input_points: Array
+    input_faces: Array
+    point_counts: Array
+    face_counts: Array
+    errors: Array
+    parents: Array
+    children: Array
+    merged_points: Array
+    parent_points: Array
+    corner_begins: Array
+    corners: Array
+
+    def __repr__(self) -> str:
+        return (f"<quadrille.Splits: {self.face_counts[0]} to {self.face_counts[-1]} faces by {len(self.parents)} "
+                "splits>")
 
 
 class Levels:
@@ -126,6 +175,15 @@ class Levels:
     def coarsest(self) -> Dict[str, Any]:
         """The figures of the last level, as info() returns them."""
         return self._levels.coarsest()
+
+    def export_splits(self) -> Splits:
+        """Returns all levels as vertex splits, in arrays: see Splits. Raises ValueError if nothing is recorded."""
+        self._require_any()
+        arrays = {name: array if array.dtype.kind == "f" else array.astype(np.int64)
+                  for name, array in self._levels.splits().items()}
+        for name in ("parents", "children"):
+            arrays[name][arrays[name] == 2**32 - 1] = -1
+        return Splits(**arrays)
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes all levels to a file. An existing file is replaced only once everything is written. C++ programs

@@ -12,6 +12,7 @@ import numpy as np
 from . import _arrays, _core, _objects
 from ._choices import KindName, NewValuesName, SeamsName, choice
 from ._forms import Array
+from ._maps import SparseMap
 
 Like = TypeVar("Like", bound=Union[_objects.MeshLike, Tuple[Any, Any], List[Any]])
 Values = Union[Array, Tuple[Array, Array], "Channel"]
@@ -135,11 +136,29 @@ class Simplified(Mesh):
     vertex_map        for each point of the input, the index of the point of the result that replaces it, or -1 if
                  it was removed; None with split_vertices
     input_faces  for each face, the index of the corresponding face of the input
+    old_to_new   with maps=True, a SparseMap with a row for each point of the input: its place on the result, as
+                 up to three points of it with their weights. A row is empty if the surface there has vanished,
+                 or no triangle has the point
+    new_to_old   with maps=True, a SparseMap with a row for each point of the result: its place on the input
     """
 
     report: _core.Report = None  # type: ignore[assignment] # simplify() gives it
     vertex_map: Optional[Array] = None
     input_faces: Array = None  # type: ignore[assignment] # the same
+    _maps: Optional[Tuple[SparseMap, SparseMap]] = dataclasses.field(default=None, repr=False)
+
+    @property
+    def old_to_new(self) -> SparseMap:
+        return self._required_maps()[0]
+
+    @property
+    def new_to_old(self) -> SparseMap:
+        return self._required_maps()[1]
+
+    def _required_maps(self) -> Tuple[SparseMap, SparseMap]:
+        if self._maps is None:
+            raise ValueError("this result has no sparse maps: pass maps=True to simplify()")
+        return self._maps
 
 
 class ReadChannel:

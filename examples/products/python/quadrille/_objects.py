@@ -170,6 +170,9 @@ Form = Union[_TrimeshForm, _Open3DForm, PyVistaForm, _MeshioForm, VTKForm]
 
 def read_object(given: Any) -> Optional[Form]:
     """A mesh of another library, with its points, faces and point_data; None if it is not one."""
+    if type(given) is np.ndarray:  # at once, since each call asks
+        return None
+
     def has(*names: str) -> bool:
         return all(hasattr(given, name) and not callable(getattr(given, name)) for name in names)
     if has("vertices", "faces"):

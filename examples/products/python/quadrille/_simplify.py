@@ -11,6 +11,7 @@ from . import _arrays, _core, _objects
 from ._choices import CostName, HullName, OrderName, PlacementName, TopologyName, WeightingName
 from ._forms import Array
 from ._levels import Levels
+from ._maps import SparseMap
 from ._mesh import (Mesh, ReadChannel, Simplified, Values, is_pair, no_mesh, read_attributes, read_channels,
                     set_channels, turned)
 from ._missed import warn_if_missed
@@ -66,6 +67,7 @@ def simplify(
     split_vertices: bool = False,
     orient: bool = False,
     levels: Optional[Levels] = None,
+    maps: bool = False,
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
     share: float = 0.5,
     refresh: bool = False,
@@ -162,6 +164,8 @@ def simplify(
     Observation:
 
     levels           a Levels, into which all levels of detail are recorded
+    maps             the result has old_to_new and new_to_old: sparse maps between its points and those of the
+                     input, see Simplified; takes several times as long
     progress         called up to 25 times a second with a Status (status.progress goes from 0 to 1);
                      returning False ends the run with the current result, raising ends it without one
 
@@ -205,6 +209,7 @@ def simplify(
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
     options.region_boundary_weight = read_number("region_boundary_weight", region_boundary_weight)
     options.split_vertices = bool(split_vertices) or mesh._is_split
+    options.maps = bool(maps)
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if selected is not None:
@@ -250,6 +255,8 @@ def _check_calibrated(options: _core.Options, levels: Optional[Levels]) -> None:
         raise ValueError("calibrated does not go with a tolerance")
     if levels is not None:
         raise ValueError("calibrated does not go with levels: it needs several runs")
+    if options.maps:
+        raise ValueError("calibrated does not go with maps: it needs several runs")
 
 
 def _mesh_of(points: Any, triangles: Any) -> Tuple[Mesh, Any]:
@@ -305,10 +312,16 @@ def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], or
         input_faces=arrays["input_faces"], remarks=remarks)
     set_channels(result, {channel.name: channel.result(*values)
                           for channel, values in zip(channels, arrays["channels"])})
+    if options.maps:
+        result._maps = (_map_of(arrays["old_to_new"], len(result.points)), _map_of(arrays["new_to_old"], len(points)))
     if mesh._source is not None:
         result._is_split, result._source = mesh._is_split, mesh._source
         result._source_faces = np.ascontiguousarray(mesh._source_faces[arrays["input_faces"]])
     return result
+
+
+def _map_of(arrays: List[Array], columns: int) -> SparseMap:
+    return SparseMap(*arrays, (len(arrays[0]) - 1, columns))
 
 
 def _oriented(points: Array, faces: Array, channels: List[ReadChannel],

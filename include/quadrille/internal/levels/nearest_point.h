@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_LEVELS_NEAREST_POINT_H
 #define QUADRILLE_INTERNAL_LEVELS_NEAREST_POINT_H
 
+#include <quadrille/internal/core/surface/box.h>
 #include <quadrille/quadric_form.h>
 
 #include <algorithm>
@@ -25,6 +26,16 @@ inline Vector<3> combination(const TriangleCorners& corners, const std::array<do
 inline NearestPoint point_with(const Vector<3>& p, const TriangleCorners& corners,
                                const std::array<double, 3>& weights) {
   return {weights, squared_distance(p, combination(corners, weights))};
+}
+
+/// Returns the square of the distance of p from a box: no point in the box is nearer.
+inline double squared_distance_to_box(const Vector<3>& p, const Box<3>& box) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double outside = (std::max)({box.low[i] - p[i], p[i] - box.high[i], 0.});
+    sum += outside * outside;
+  }
+  return sum;
 }
 
 /// Returns the point nearest to p of the edge from corner i.

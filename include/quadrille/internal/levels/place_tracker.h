@@ -68,6 +68,7 @@ private:
     Index number;
     TriangleCorners corners;
     Vector<3> normal;
+    Box<3> box;
   };
   struct Place {
     Vector<3> position; // where it was at first
@@ -95,9 +96,11 @@ private:
   }
 
   Face face_at(Index number) const {
-    Face face{number, {}, {}};
-    for (std::size_t i = 0; i < 3; ++i)
+    Face face{number, {}, {}, Box<3>::none()};
+    for (std::size_t i = 0; i < 3; ++i) {
       face.corners[i] = scale_.position_from_mesh({steps_.points()[steps_.triangles()[number][i]]});
+      face.box.add(face.corners[i]);
+    }
     face.normal = double_area_vector(face.corners[0], face.corners[1], face.corners[2]);
     return face;
   }
@@ -158,9 +161,12 @@ private:
       const bool is_turned = dot(face.normal, place.normal) < 0;
       if (best.face && is_turned && !best.is_turned)
         continue;
+      const bool is_better = !best.face || (best.is_turned && !is_turned);
+      if (!is_better &&
+          squared_distance_to_box(place.position, face.box) >= best.point.squared_distance)
+        continue; // saves a quarter of the time of both maps
       const NearestPoint point = nearest_of_triangle(place.position, face.corners);
-      if (!best.face || (best.is_turned && !is_turned) ||
-          point.squared_distance < best.point.squared_distance)
+      if (is_better || point.squared_distance < best.point.squared_distance)
         best = {&face, point, is_turned};
     }
     return best;
