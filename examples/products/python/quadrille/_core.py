@@ -114,6 +114,9 @@ class Options:
     split_vertices = False
 
 
+_DEFAULTS = {name: value for name, value in vars(Options).items() if not name.startswith("_")}
+
+
 class ChannelOptions:
     """The options of a channel, in the same manner."""
 
@@ -147,22 +150,24 @@ class Pair(CPair):
         return np.frombuffer(self, np.float64, 3, 64)
 
 
+# The numbers of a quadrille_changed_face, after its index, that are its corners.
+_CORNERS_BEFORE, _CORNERS_AFTER = (np.array([*moving, *range(7, 13)]) for moving in (range(1, 4), range(4, 7)))
+
+
 class Contraction(CContraction):
     """The argument of a filter: the next contraction."""
 
+    _kept: Optional[Tuple[bytes, bytes]] = None
+
     def _keep(self) -> None:
-        """Copies what the library lends until the filter answers."""
-        self._kept = self._lent()
+        """Copies the faces that change and those that go, which the library lends until the filter answers."""
+        self._kept = self._changed(), self._removed()
 
-    def _lent(self) -> Tuple[bytes, bytes]:
-        """The faces that change, and those that go."""
-        return (string_at(self._faces, 104 * self._face_count),
-                string_at(self._removed_faces, 8 * self._removed_face_count))
+    def _changed(self) -> bytes:
+        return self._kept[0] if self._kept else string_at(self._faces, 104 * self._face_count)
 
-    def _changed(self, dtype: Any) -> Array:
-        """Of each face that changes the index and its places, twelve numbers."""
-        kept: Any = getattr(self, "_kept", None) or self._lent()
-        return np.frombuffer(kept[0], dtype).reshape(-1, 13)
+    def _removed(self) -> bytes:
+        return self._kept[1] if self._kept else string_at(self._removed_faces, 8 * self._removed_face_count)
 
     @property
     def target(self) -> Array:
@@ -172,27 +177,25 @@ class Contraction(CContraction):
     @property
     def faces(self) -> Array:
         """The faces that change, as indices of the input's."""
-        return self._changed(np.int64)[:, 0].copy()
+        return np.frombuffer(self._changed(), np.int64)[::13].copy()
 
     @property
     def before(self) -> Array:
         """Their current corners, of the shape (faces, 3, 3), the moving corner first."""
-        return self._corners(0)
+        return self._corners(_CORNERS_BEFORE)
 
     @property
     def after(self) -> Array:
         """Their corners after the contraction."""
-        return self._corners(1)
+        return self._corners(_CORNERS_AFTER)
 
-    def _corners(self, moving: int) -> Array:
-        places = self._changed(np.float64)[:, 1:].reshape(-1, 4, 3)
-        return places[:, [moving, 2, 3]]
+    def _corners(self, columns: Array) -> Array:
+        return np.frombuffer(self._changed()).reshape(-1, 13).take(columns, 1).reshape(-1, 3, 3)
 
     @property
     def removed_faces(self) -> Array:
         """The faces that are removed, as indices of the input's."""
-        kept: Any = getattr(self, "_kept", None) or self._lent()
-        return np.frombuffer(kept[1], np.int64).copy()
+        return np.frombuffer(self._removed(), np.int64).copy()
 
 
 _COUNTS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "vertices_after", "contractions",
@@ -488,11 +491,10 @@ class _Call:
 
     def set_options(self, options: Options) -> None:
         for name, value in vars(options).items():
-            if value is None or (isinstance(value, (list, tuple)) and len(value) == 0):
+            is_array = isinstance(value, (list, np.ndarray))
+            if value is None or (len(value) == 0 if is_array else value == _DEFAULTS[name]):
                 continue
-            key, is_array = name.encode(), isinstance(value, (list, np.ndarray))
-            if not is_array and value == getattr(Options, name):
-                continue
+            key = name.encode()
             if isinstance(value, enum.Enum):
                 self.check(_set_text(self.handle, key, value.name.encode()))
             elif is_array:

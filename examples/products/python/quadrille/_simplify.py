@@ -176,7 +176,7 @@ def simplify(
     Contiguous arrays of float64 and uint32 (or int32) are read in place, others are copied. Do not write to them
     during the call. Other Python threads keep running, and Ctrl-C ends the call with a KeyboardInterrupt.
 
-    Python functions (stop, cost, filter) are called for each contraction or pair, some microseconds each in
+    Python functions (stop, cost, filter) are called for each contraction or pair, half a microsecond or more each in
     addition to their own time, so a call takes many times as long. If they raise, the call ends and nothing is
     changed. They have to return the same answer for the same argument.
 
