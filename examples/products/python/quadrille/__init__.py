@@ -37,7 +37,7 @@ from ._mesh import Channel, Mesh, Simplified
 from ._simplify import simplify
 
 __version__: str = _core.version
-__all__ = ["Channel", "Contraction", "Distance", "FileEstimate", "FileJob", "FileStatus", "Finding", "Level", "Levels",
-           "Mesh", "Pair", "Report", "Simplified", "SimplifiedFile", "SparseMap", "Splits", "Status", "Verdict", "curvature_importance",
-           "read_mesh", "simplify", "simplify_file", "simplify_gltf", "surface_distance", "verify", "view_importance",
-           "write_mesh"]
+__all__ = ["Channel", "Contraction", "Distance", "FileEstimate", "FileJob", "FileStatus", "Finding", "Level",
+           "Levels", "Mesh", "Pair", "Report", "Simplified", "SimplifiedFile", "SparseMap", "Splits", "Status",
+           "Verdict", "curvature_importance", "read_mesh", "simplify", "simplify_file", "simplify_gltf",
+           "surface_distance", "verify", "view_importance", "write_mesh"]

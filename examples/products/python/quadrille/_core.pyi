@@ -90,6 +90,7 @@ class Options:
     no_self_intersection: bool
     keep_solid: bool
     coordinates_are_floats: bool
+    maps: bool
     fixed: List[bool]
     importance: Sequence[float]
     selected: List[bool]
