@@ -321,7 +321,8 @@ def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], or
 
 
 def _map_of(arrays: List[Array], columns: int) -> SparseMap:
-    return SparseMap(*arrays, (len(arrays[0]) - 1, columns))
+    begins, indices, weights = arrays
+    return SparseMap(begins, indices, weights, (len(begins) - 1, columns))
 
 
 def _oriented(points: Array, faces: Array, channels: List[ReadChannel],
