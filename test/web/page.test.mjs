@@ -9,7 +9,7 @@ import { join, resolve } from "node:path";
 import { after, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { Chromium } from "../page/chromium.mjs";
-import { ball, sheet } from "./surfaces.mjs";
+import { ball, gltf, sheet } from "./surfaces.mjs";
 
 const { PAGE, PACKAGE, CHROMIUM = "/usr/bin/chromium", SCREENSHOTS } = process.env;
 const skip = !PAGE || !existsSync(PAGE) || !existsSync(CHROMIUM);
@@ -43,9 +43,11 @@ async function drop(tab, file, text) {
     dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
   })()`);
 }
-async function downloaded(tab, name) {
+// The content of a file whose name is a pattern, as the page says that it has been saved.
+async function downloaded(tab, pattern) {
   await tab.value("document.getElementById('download').click()");
-  await tab.until(`${state}.startsWith(${JSON.stringify(name)})`);
+  await tab.until(`new RegExp(${JSON.stringify(pattern)}).test(${state})`);
+  const name = (await tab.value(state)).split(":")[0];
   for (let i = 0; i < 100 && !readdirSync(folder).includes(name); ++i) await new Promise((done) => setTimeout(done, 50));
   return readFileSync(join(folder, name), "utf8");
 }
@@ -105,10 +107,46 @@ test("positions are those of the package", { skip }, async () => {
   await close(tab);
 });
 
+const indicesOf = ({ meshes, accessors }) => meshes.flatMap(({ primitives }) => primitives).reduce((sum, { indices }) => sum + accessors[indices].count, 0);
+
+test("glTF comes in and goes out with all that it has, and to other formats and from them", { skip }, async () => {
+  const tab = await opened();
+  await drop(tab, "sheet.gltf", gltf(40));
+  await tab.until(`${facts}.startsWith("3,042 faces") && ${isStill}`);
+  await tab.value(`(() => { const e = document.getElementById("count"); e.value = 400; e.dispatchEvent(new Event("input")); })()`);
+  await tab.until(`/^(399|400) faces/.test(${facts})`); // a contraction may take two
+  await picture(tab, "gltf");
+  const simple = JSON.parse(await downloaded(tab, "^sheet-(398|399|400).gltf: "));
+  assert.ok(indicesOf(simple) >= 3 * 398 && indicesOf(simple) <= 1200, String(indicesOf(simple)));
+  assert.deepEqual(simple.materials, JSON.parse(gltf(40)).materials);
+  assert.deepEqual([simple.nodes, simple.asset.copyright], [[{ mesh: 0, scale: [2, 2, 2] }], "nobody"]);
+  await tab.value(change("format", 'e.value = ".obj"'));
+  const obj = await downloaded(tab, "^sheet-(398|399|400).obj: ");
+  assert.ok(obj.match(/^f /gm).length >= 398);
+  assert.ok(Math.max(...obj.match(/^v \S+/gm).map((line) => Number(line.slice(2)))) > 1.99, "nodes place meshes");
+  await tab.value(change("limit", "e.value = 0.5"));
+  await tab.until(`document.getElementById("notes").textContent.includes("0.5 % of the diagonal") && ${isStill}`);
+  await drop(tab, "flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+  await tab.until(`${facts}.startsWith("2 faces") && ${isStill}`);
+  await tab.value(change("format", 'e.value = ".glb"'));
+  assert.match(await downloaded(tab, "flat-2.glb"), /^glTF/);
+  await close(tab);
+});
+
+test("glTF with its bytes in another file is refused, since that is not here", { skip }, async () => {
+  const tab = await opened(), document = JSON.parse(gltf(4));
+  document.buffers[0].uri = "sheet.bin";
+  await drop(tab, "sheet.gltf", JSON.stringify(document));
+  await tab.until(`${state}.includes("sheet.bin: no such file")`);
+  await drop(tab, "broken.glb", "glTF");
+  await tab.until(`${state}.startsWith("broken.glb: ")`);
+  await close(tab);
+});
+
 test("what is no mesh is told, and the page goes on", { skip }, async () => {
   const tab = await opened();
   await drop(tab, "notes.txt", "hello");
-  await tab.until(`${state}.includes("notes.txt: the extension '.txt' is not one of .off .obj .ply .stl .ts")`);
+  await tab.until(`${state}.includes("notes.txt: the extension '.txt' is not one of .off .obj .ply .stl .ts .gltf .glb")`);
   await drop(tab, "broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n");
   await tab.until(`${state}.includes("broken.off:5: ")`);
   await drop(tab, "one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");

@@ -22,6 +22,35 @@ export function sheet(path, n) {
   writeFileSync(path, `${lines.join("\n")}\n`);
 }
 
+// The same sheet without its charts as glTF in one text, with a material for each half, of which one has a name, and with a node that
+// shows it twice as large.
+export function gltf(n) {
+  const positions = new Float32Array(3 * n * n), uv = new Float32Array(2 * n * n), halves = [[], []];
+  for (let i = 0; i < n * n; ++i) {
+    const [u, v] = [(i % n) / (n - 1), Math.floor(i / n) / (n - 1)];
+    positions.set([u, v, 0.1 * Math.sin(6 * u) * Math.cos(6 * v)], 3 * i);
+    uv.set([u, v], 2 * i);
+    if (i % n > 0 && i >= n) halves[Math.floor(i / n) > n / 2 ? 1 : 0].push(i - n - 1, i - n, i - 1, i - n, i, i - 1);
+  }
+  const arrays = [positions, uv, ...halves.map((half) => Uint32Array.from(half))];
+  const bytes = Buffer.concat(arrays.map(({ buffer }) => Buffer.from(buffer)));
+  let byteOffset = 0;
+  const bufferViews = arrays.map(({ byteLength }) => ({ buffer: 0, byteOffset: (byteOffset += byteLength) - byteLength, byteLength }));
+  const accessor = (bufferView, type, componentType, count, more = {}) => ({ bufferView, type, componentType, count, ...more });
+  const indices = halves.map(({ length }, i) => accessor(2 + i, "SCALAR", 5125, length));
+  return JSON.stringify({
+    asset: { version: "2.0", copyright: "nobody" },
+    buffers: [{ byteLength: bytes.length, uri: `data:application/octet-stream;base64,${bytes.toString("base64")}` }],
+    bufferViews,
+    accessors: [accessor(0, "VEC3", 5126, n * n, { min: [0, 0, -0.1], max: [1, 1, 0.1] }), accessor(1, "VEC2", 5126, n * n), ...indices],
+    materials: [{ name: "lower", pbrMetallicRoughness: { baseColorFactor: [0.8, 0.2, 0.1, 1] } }, { doubleSided: true, extras: { mine: 1 } }],
+    meshes: [{ primitives: indices.map((_, i) => ({ attributes: { POSITION: 0, TEXCOORD_0: 1 }, indices: 2 + i, material: i })) }],
+    nodes: [{ mesh: 0, scale: [2, 2, 2] }],
+    scenes: [{ nodes: [0] }],
+    scene: 0,
+  });
+}
+
 // A ball of rings with colours, as OFF.
 export function ball(path, n) {
   const points = [], faces = [];

@@ -55,9 +55,12 @@ public:
   /// has.
   static GltfMeshes read(const std::filesystem::path& path,
                          const std::set<std::string>& labels = {}) {
-    const Source source = read_source(path);
-    return with_errors_of(path, [&] {
-      return GltfMeshes(GltfReader(source).read(), path, labels, GltfTwins::Firsts());
+    return read(read_source(path), labels);
+  }
+  /// The same of a file that is in memory.
+  static GltfMeshes read(const Source& source, const std::set<std::string>& labels = {}) {
+    return with_errors_of(source.path, [&] {
+      return GltfMeshes(GltfReader(source).read(), source.path, labels, GltfTwins::Firsts());
     });
   }
 
@@ -65,11 +68,13 @@ public:
   /// surface, which is where all of them are; the others get what becomes of it.
   static GltfMeshes read_shared(const std::filesystem::path& path,
                                 const std::set<std::string>& labels = {}) {
-    const Source source = read_source(path);
-    return with_errors_of(path, [&] {
+    return read_shared(read_source(path), labels);
+  }
+  static GltfMeshes read_shared(const Source& source, const std::set<std::string>& labels = {}) {
+    return with_errors_of(source.path, [&] {
       GltfDocument document = GltfReader(source).read();
       GltfTwins::Firsts firsts = GltfTwins::of(document.json);
-      return GltfMeshes(std::move(document), path, labels, std::move(firsts));
+      return GltfMeshes(std::move(document), source.path, labels, std::move(firsts));
     });
   }
 

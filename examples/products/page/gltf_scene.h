@@ -24,10 +24,12 @@ namespace quadrille_examples {
 /// and the first set of texture coordinates and of colours.
 class GltfScene {
 public:
-  static ShownMesh read(const std::filesystem::path& path) {
-    GltfMeshes meshes = GltfMeshes::read(path);
-    return with_errors_of(path, [&] {
-      GltfScene scene(meshes, path);
+  static ShownMesh read(const std::filesystem::path& path) { return read(read_source(path)); }
+  /// The same of a file that is in memory.
+  static ShownMesh read(const Source& source) {
+    GltfMeshes meshes = GltfMeshes::read(source);
+    return with_errors_of(source.path, [&] {
+      GltfScene scene(meshes, source.path);
       scene.add_scene();
       return std::move(scene.shown_);
     });

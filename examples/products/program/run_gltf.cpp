@@ -36,14 +36,6 @@ void require_fit(const Options& options, const Surfaces& surfaces) {
     reject_without_faces(options, vertices);
 }
 
-/// Where no mesh is placed by its nodes, the scene is of the floats of the file.
-bool are_floats(const quadrille::SoupPoints& points) {
-  return std::all_of(points.begin(), points.end(), [](const auto& p) {
-    return std::all_of(p.begin(), p.end(),
-                       [](double x) { return double{static_cast<float>(x)} == x; });
-  });
-}
-
 void print_remarks(const Options& options, GltfMeshes& meshes) {
   for (const std::string& remark :
        remarks_of(meshes, options.input, options.output, options.leaves_images))
@@ -155,7 +147,7 @@ private:
   static quadrille::Report simplify(GltfSceneSurface& scene, const Options& options) {
     return with_errors_of_file(options, [&] {
       quadrille::SoupOptions soup = soup_options(options, scene.points(), scene.triangles());
-      soup.coordinates_are_floats = are_floats(scene.points());
+      soup.coordinates_are_floats = scene.is_of_floats();
       return scene.simplify(soup, channel_choices(options));
     });
   }

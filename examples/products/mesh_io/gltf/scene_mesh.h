@@ -27,9 +27,11 @@ namespace quadrille_examples {
 class GltfSceneMesh {
 public:
   /// Throws `std::runtime_error` as GltfMeshes::read() does.
-  static IndexedMesh read(const std::filesystem::path& path) {
-    GltfMeshes meshes = GltfMeshes::read(path);
-    return with_errors_of(path, [&] {
+  static IndexedMesh read(const std::filesystem::path& path) { return read(read_source(path)); }
+  /// The same of a file that is in memory.
+  static IndexedMesh read(const Source& source) {
+    GltfMeshes meshes = GltfMeshes::read(source);
+    return with_errors_of(source.path, [&] {
       GltfSceneMesh scene(meshes);
       for (const GltfSurface& surface : meshes.surfaces())
         for (const Transform& place : meshes.placements()[surface.mesh()].instances)

@@ -42,6 +42,14 @@ public:
   /// Where the points of a surface are.
   const std::vector<std::uint32_t>& numbers(std::size_t surface) const { return numbers_[surface]; }
 
+  /// Are all points floats, as where no mesh is placed by its nodes?
+  bool is_of_floats() const {
+    return std::all_of(points_.begin(), points_.end(), [](const auto& p) {
+      return std::all_of(p.begin(), p.end(),
+                         [](double x) { return double{static_cast<float>(x)} == x; });
+    });
+  }
+
   /// What simplify() has made of them, as one soup.
   const quadrille::SoupResult& result() const { return result_; }
 

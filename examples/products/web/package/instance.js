@@ -50,6 +50,7 @@ export class Instance {
         proc_exit(status) {
           throw new Error(`quadrille: the module ended with status ${status}`);
         },
+        ...more,
       },
     };
   }

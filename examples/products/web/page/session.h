@@ -6,6 +6,7 @@
 #include "../../mesh_io/mesh_io.h"
 #include "../../page/attribute_recorder.h"
 #include "../../page/file.h"
+#include "document.h"
 
 #include <quadrille/compiled.h>
 #include <quadrille/record.h>
@@ -32,16 +33,16 @@ public:
 
   /// Reads a file; its extension tells the format. Throws std::runtime_error with one line.
   void open(const std::string& name, std::string content) {
-    ShownMesh shown;
-    shown.mesh =
-        with_vertices_of_values(read_mesh(Source{name, std::move(content)}, mesh_format(name)));
+    Source source{name, std::move(content)};
+    std::optional<PageDocument> document;
+    if (is_gltf(source.path.extension().string()))
+      document.emplace(std::move(source));
+    ShownMesh shown = document ? document->shown() : shown_of_mesh(source);
     if (shown.mesh.triangles.empty())
       throw std::runtime_error(name + ": it has no faces");
-    shown.looks.notes = shown.mesh.remarks;
-    if (!shown.mesh.losses.empty())
-      shown.looks.notes.push_back("Not kept: " + shown.mesh.losses.text());
     name_ = name;
     shown_ = std::move(shown);
+    document_ = std::move(document);
   }
 
   /// Simplifies as far as it goes, and returns all levels of that as the viewer has them.
@@ -58,11 +59,18 @@ public:
     return page_content(source);
   }
 
-  /// A simplified mesh as a file of an extension.
+  /// A simplified mesh as a file of an extension. A document that becomes one keeps all that it
+  /// has.
   std::string save(const Choices& choices, const std::string& extension, const auto& proceed) {
+    const quadrille::SoupOptions options = options_of(choices, proceed);
+    if (document_ && is_gltf(extension))
+      return document_->simplified(options, channels_of(choices), shown_.mesh.triangles.size(),
+                                   extension, report_);
+    IndexedMesh mesh = document_ ? document_->mesh() : shown_.mesh;
+    report_ = simplified(mesh, choices, options);
+    if (is_gltf(extension))
+      return encoded_document(name_, mesh, extension);
     const MeshFormat& format = mesh_format("out" + extension);
-    IndexedMesh mesh = shown_.mesh;
-    report_ = simplified(mesh, choices, options_of(choices, proceed));
     fit_to_format(mesh, format);
     return encoded(name_, mesh, format);
   }
@@ -75,6 +83,16 @@ public:
   }
 
 private:
+  static ShownMesh shown_of_mesh(const Source& source) {
+    ShownMesh shown;
+    shown.mesh =
+        with_vertices_of_values(read_mesh(source, mesh_format(source.path, " .gltf .glb")));
+    shown.looks.notes = shown.mesh.remarks;
+    if (!shown.mesh.losses.empty())
+      shown.looks.notes.push_back("Not kept: " + shown.mesh.losses.text());
+    return shown;
+  }
+
   static quadrille::SoupOptions options_of(const Choices& choices, const auto& proceed) {
     quadrille::SoupOptions options;
     options.faces = choices.faces;
@@ -84,17 +102,22 @@ private:
     return options;
   }
 
-  static quadrille::Report simplified(IndexedMesh& mesh, const Choices& choices,
-                                      const quadrille::SoupOptions& options) {
+  static ChannelChoices channels_of(const Choices& choices) {
     ChannelChoices channels;
     channels.of_numbers = 1. / 64; // they may be noise
     if (choices.keeps_seams)
       channels.texture_seams = quadrille::Seams::kept;
-    return MeshChannels(mesh).simplify(options, channels);
+    return channels;
+  }
+
+  static quadrille::Report simplified(IndexedMesh& mesh, const Choices& choices,
+                                      const quadrille::SoupOptions& options) {
+    return MeshChannels(mesh).simplify(options, channels_of(choices));
   }
 
   std::string name_;
   ShownMesh shown_;
+  std::optional<PageDocument> document_; // if it is one
   quadrille::Report report_;
 };
 
