@@ -99,6 +99,7 @@ TEST_CASE("The faces of a wedge sum up to their mean gradient and what they disa
     WedgeRecords records = fan.records();
     SymmetricMatrix<3> found;
     with_wedge_sums(vertices, components, nullptr, [&](auto sums) {
+      sums.clear(0);
       typename decltype(sums)::Row row(components);
       for (const Face& face : fan.faces) {
         const auto [first, second] = ways_on(fan, face);

@@ -76,7 +76,7 @@ public:
         are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
         factors_(std::move(weights.factors)), as_written_(input.as_written),
         table_(complex.arena()), records_(weights.squared, complex.arena()),
-        joiner_(std::move(weights.squared)) {
+        joiner_(std::move(weights.squared)), is_plain_(complex.arena()) {
     const ChannelReader reader(input, numbering, complex);
     if (has_one_a_vertex(input))
       reader.read_vertices(records_);
@@ -155,6 +155,8 @@ public:
     with_wedge_sums(
         wedge_count(complex.vertex_capacity()), components(), complex.arena(), [&](auto sums) {
           for_each_range(threads, complex.vertex_capacity(), [&](const auto& range, std::size_t) {
+            for (Index v = range.begin; v < range.end; ++v)
+              table_.for_each(v, [&](Index wedge) { sums.clear(wedge); });
             add_faces(range, positions, complex, labels, weight_of_area, sums);
             for (Index v = range.begin; v < range.end; ++v)
               table_.for_each(v, [&](Index wedge) { add(v, sums.resolve(wedge, records_)); });
@@ -201,14 +203,21 @@ public:
     records_.write(at_v, chart);
   }
 
+  /// Finds the vertices that have one wedge and constrain no boundary of a chart, once this is
+  /// known of all.
+  void find_plain_vertices(std::size_t vertices) {
+    is_plain_.resize(vertices);
+    for (Index v = 0; v < vertices; ++v)
+      is_plain_[v] = is_plain(v);
+  }
+
   /// Does the contraction of a pair only join the one wedge of each of its ends, freely?
   QUADRILLE_ALWAYS_INLINE bool joins_two(const ContractedPair& pair) const {
     return joins_two(pair.first, pair.second) && !pair.is_first_fixed && !pair.is_second_fixed;
   }
   /// Answers this for pairs without a fixed end.
   QUADRILLE_ALWAYS_INLINE bool joins_two(Index first, Index second) const {
-    return are_pairs_edges_ && table_.has_one(first) && table_.has_one(second) &&
-           !records_.has_constrained_boundary(first) && !records_.has_constrained_boundary(second);
+    return (is_plain_[first] & is_plain_[second]) != 0;
   }
 
   /// Adds what the wedges of two ends disagree about, about the first end.
@@ -232,8 +241,12 @@ public:
   void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
                   Index kept, const Vector<3>& target) {
     records_.join(pair.first, pair.second, pair.to_second, target, kept, joiner_.squared_weights());
-    if (table_.has_seams())
-      rename_corners(complex, star, pair, [kept](Index) { return kept; });
+    if (!table_.has_seams())
+      return;
+    const bool is_first_kept = kept == pair.first; // whose corners have its wedge already
+    for (const StarFace& f : is_first_kept ? star.second : star.first)
+      table_.rename_corner(complex, f.face, is_first_kept ? pair.second : pair.first,
+                           [kept](Index) { return kept; });
   }
 
   /// Carries a contraction out: the first of some wedges, those of both ends, get the maps and
@@ -243,11 +256,12 @@ public:
              WedgeList wedges, const Changes& changes, Rename renamed) {
     for (std::size_t k = 0; k < changes.size(); ++k)
       records_.write(wedges[k], changes[k].map, changes[k].origin);
-    if (!table_.has_seams())
-      return;
-    rename_corners(complex, star, pair, renamed);
-    wedges.resize(changes.size());
-    table_.chain(wedges);
+    if (table_.has_seams()) {
+      rename_corners(complex, star, pair, renamed);
+      wedges.resize(changes.size());
+      table_.chain(wedges);
+    }
+    is_plain_[wedges.front()] = is_plain(wedges.front());
   }
 
   /// Gives the wedges the values of a result, where these are not those of least cost.
@@ -263,6 +277,7 @@ public:
   /// Keeps only the vertices of an ascending list, and the faces for which is_left is true.
   template <class IsLeft>
   void pack(const Array<Index>& vertices, IsLeft is_left) {
+    internal::pack(is_plain_, vertices);
     records_.pack(table_.pack(vertices, is_left));
   }
 
@@ -278,6 +293,9 @@ public:
   bool are_pairs_edges() const { return are_pairs_edges_; }
 
 private:
+  bool is_plain(Index v) const {
+    return are_pairs_edges_ && table_.has_one(v) && !records_.has_constrained_boundary(v);
+  }
   static bool has_one_a_vertex(const ChannelInput& input) {
     return input.corners.empty() || input.seams == Seams::free;
   }
@@ -350,6 +368,7 @@ private:
   WedgeTable table_;
   WedgeRecords records_;
   MapJoiner joiner_;
+  Array<unsigned char> is_plain_; // of each vertex: see joins_two()
 };
 
 } // namespace quadrille::internal

@@ -147,32 +147,40 @@ public:
   bool turns_over(const PairStar& star, const Vector<3>& target) const {
     if (channel_.joins_two(pair_)) {
       const Vector<2> joined = channel_.joined_texture(pair_, target);
-      return turns_over(star, [&](Index) { return joined; });
+      const auto any_turns = [&](const AppendBuffer<StarFace>& faces, Index vertex) {
+        const Moved moved{records().texture_at(vertex), joined};
+        return any_turns_over(faces, [&](Index) { return moved; });
+      };
+      return any_turns(star.first, pair_.first) || any_turns(star.second, pair_.second);
     }
     QuadricForm<3> form;
     const Changes changes = this->changes(target, form);
-    return turns_over(star, [&](Index old) {
-      const auto& maps = changes[index_of(changes, old)].map.maps;
-      return Vector<2>{maps[0].value, maps[1].value};
-    });
+    const auto any_turns = [&](const AppendBuffer<StarFace>& faces, Index vertex) {
+      return any_turns_over(faces, [&](Index face) {
+        const Index old = channel_.wedge(complex_, face, vertex);
+        const auto& maps = changes[index_of(changes, old)].map.maps;
+        return Moved{records().texture_at(old), {maps[0].value, maps[1].value}};
+      });
+    };
+    return any_turns(star.first, pair_.first) || any_turns(star.second, pair_.second);
   }
 
 private:
-  template <class NewTexture>
-  bool turns_over(const PairStar& star, NewTexture new_texture) const {
-    const auto any_turns = [&](const AppendBuffer<StarFace>& faces, Index vertex) {
-      for (const StarFace& f : faces) {
-        const Index old = channel_.wedge(complex_, f.face, vertex);
-        const Vector<2> second = channel_.texture_at(complex_, f.face, f.second);
-        const Vector<2> third = channel_.texture_at(complex_, f.face, f.third);
-        const double before = doubled_area(records().texture_at(old), second, third);
-        const double after = doubled_area(new_texture(old), second, third);
-        if (before > 0 ? !(after > 0) : before < 0 && !(after < 0))
-          return true;
-      }
-      return false;
-    };
-    return any_turns(star.first, pair_.first) || any_turns(star.second, pair_.second);
+  // The texture coordinates of a corner before a contraction and after it.
+  struct Moved {
+    Vector<2> from, to;
+  };
+  // Does any face turn over whose corner at an end is moved(face)?
+  template <class MovedAt>
+  bool any_turns_over(const AppendBuffer<StarFace>& faces, MovedAt moved) const {
+    return std::any_of(faces.begin(), faces.end(), [&](const StarFace& f) {
+      const auto [from, to] = moved(f.face);
+      const Vector<2> second = channel_.texture_at(complex_, f.face, f.second);
+      const Vector<2> third = channel_.texture_at(complex_, f.face, f.third);
+      const double before = doubled_area(from, second, third);
+      const double after = doubled_area(to, second, third);
+      return before > 0 ? !(after > 0) : before < 0 && !(after < 0);
+    });
   }
 
   const WedgeTable& table() const { return channel_.table(); }
@@ -185,8 +193,8 @@ private:
       channel_.add_difference(w, x, pair_.to_second, form);
     else
       joiner().add_boundary_difference(records().weight(w), records().boundary(w),
-                                     records().weight(x), records().boundary(x),
-                                     records().texture_difference(w, x, pair_.to_second), form);
+                                       records().weight(x), records().boundary(x),
+                                       records().texture_difference(w, x, pair_.to_second), form);
   }
 
   WedgeJoins joins() const {

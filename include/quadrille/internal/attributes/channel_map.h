@@ -95,7 +95,8 @@ public:
 
   void read(const Key& key, ChannelInput& input) const {
     const Vector<size> value = components(values_.raw(key));
-    input.values.insert(input.values.end(), value.coordinates.begin(), value.coordinates.end());
+    for (double component : value.coordinates) // not so much work as to insert all of them
+      input.values.push_back(component);
   }
   /// Limits written values to the range of the values that faces had.
   void end_of_reading(ChannelInput& input, const Array<TriangleComplex::Triangle>& triangles) {
@@ -106,8 +107,9 @@ public:
     for (const auto& value_triple : input.corners.empty() ? triangles : input.corners)
       for (Index value : value_triple)
         for (std::size_t c = 0; c < size; ++c) {
-          low[c] = (std::min)(low[c], input.value(value, c));
-          high[c] = (std::max)(high[c], input.value(value, c));
+          const double component = input.values[value * size + c];
+          low[c] = (std::min)(low[c], component);
+          high[c] = (std::max)(high[c], component);
         }
     values_.limit_to(low, high);
     input.as_written = [map = *this](std::span<double> values, bool has_changed) {

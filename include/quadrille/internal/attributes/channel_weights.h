@@ -124,31 +124,22 @@ public:
                 const Array<Index>& labels)
       : low_(channel.components, (std::numeric_limits<double>::max)()),
         high_(channel.components, std::numeric_limits<double>::lowest()) {
-    Array<unsigned char> is_used(channel.corners.empty() ? 0 : channel.size(), 0, complex.arena());
-    for (Index face = 0; face < complex.face_capacity(); ++face) {
-      if (complex.is_removed(face) || (is_used.empty() && !channel.is_texture()))
-        continue;
-      const auto& v = complex.vertices(face);
-      std::array<Index, 3> values;
-      for (std::size_t i = 0; i < 3; ++i)
-        values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
-      for (std::size_t i = 0; i < 3 && !is_used.empty(); ++i)
-        is_used[values[i]] = 1;
-      if (!channel.is_texture())
-        continue;
-      const std::size_t label = labels.empty() ? 0 : labels[face];
-      if (label >= areas_.size())
-        areas_.resize(label + 1);
-      areas_[label].surface += std::sqrt(squared_length(double_area_vector(
-          space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
-      areas_[label].texture += texture_area(channel, values);
+    if (channel.is_texture())
+      add_areas(channel, numbering, complex, positions, labels);
+    if (channel.corners.empty()) {
+      for (Index v = 0; v < complex.vertex_capacity(); ++v)
+        if (complex.has_faces(v))
+          add_value(channel, numbering.vertices[v]);
+      return;
     }
+    Array<unsigned char> is_used(channel.size(), 0, complex.arena());
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      if (!complex.is_removed(face))
+        for (Index value : channel.corners[numbering.faces[face]])
+          is_used[value] = 1;
     for (Index value = 0; value < is_used.size(); ++value)
       if (is_used[value])
         add_value(channel, value);
-    for (Index v = 0; v < complex.vertex_capacity() && channel.corners.empty(); ++v)
-      if (complex.has_faces(v))
-        add_value(channel, numbering.vertices[v]);
   }
 
   /// Area of the surface / area of the texture; 0 if either is 0.
@@ -175,6 +166,24 @@ public:
   }
 
 private:
+  template <class Numbering, class Positions>
+  void add_areas(const ChannelInput& channel, const Numbering& numbering,
+                 const TriangleComplex& complex, const Positions& positions,
+                 const Array<Index>& labels) {
+    areas_.resize(labels.empty() ? 1 : *std::max_element(labels.begin(), labels.end()) + 1);
+    for (Index face = 0; face < complex.face_capacity(); ++face) {
+      if (complex.is_removed(face))
+        continue;
+      const auto& v = complex.vertices(face);
+      std::array<Index, 3> values;
+      for (std::size_t i = 0; i < 3; ++i)
+        values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
+      Areas& areas = areas_[labels.empty() ? 0 : labels[face]];
+      areas.surface += std::sqrt(squared_length(double_area_vector(
+          space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
+      areas.texture += texture_area(channel, values);
+    }
+  }
   void add_value(const ChannelInput& channel, Index value) {
     for (std::size_t c = 0; c < channel.components; ++c) {
       low_[c] = (std::min)(low_[c], channel.value(value, c));
@@ -182,8 +191,9 @@ private:
     }
   }
   static double texture_area(const ChannelInput& channel, const std::array<Index, 3>& values) {
+    const double* const all = channel.values.data();
     const auto difference = [&](std::size_t i, std::size_t c) {
-      return channel.value(values[i], c) - channel.value(values[0], c);
+      return all[2 * values[i] + c] - all[2 * values[0] + c];
     };
     return std::abs(difference(1, 0) * difference(2, 1) - difference(1, 1) * difference(2, 0));
   }

@@ -10,6 +10,7 @@
 #include <quadrille/internal/core/appearance/no_channels.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/threads.h>
+#include <quadrille/internal/core/complex/link_condition.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/memory/array.h>
@@ -181,6 +182,14 @@ public:
     return std::any_of(channels_.begin(), channels_.end(),
                        [](const Channel& channel) { return channel.has_seams(); });
   }
+  /// Does it take longer to see what these channels add to a pair than to cost its state alone, so
+  /// that the state is looked at first where that may be enough?
+  bool are_costly() const {
+    std::size_t components = 0;
+    for (const Channel& channel : channels_)
+      components += channel.components();
+    return components > 4 || have_seams();
+  }
   /// Returns the seams of the current channels.
   ChannelSeams seams() const { return {complex_, channels_}; }
   /// With the values of the result.
@@ -207,19 +216,12 @@ public:
   }
 
   /// Constrains charts at their ends, whether a surface has seams of other kinds or not: a boundary
-  /// of the surface constrains no chart if there is no seam.
-  void constrain_boundaries(const Array<Index>& labels, bool has_other_seams) {
+  /// of the surface constrains no chart if there is no seam. After this, pairs can be costed.
+  void constrain_boundaries(const LinkCondition& link_condition, const Array<Index>& labels,
+                            bool has_other_seams) {
     for (Channel& channel : channels_) {
-      if (!channel.constrains_charts() ||
-          (channel.is_boundary_weight_given() && !(channel.chart_boundary_weight() > 0)))
-        continue;
-      const ChartEnds charts(complex_, channel);
-      if (!charts.has_seams() && !has_other_seams)
-        continue;
-      if (!channel.is_boundary_weight_given())
-        channel.choose_boundary_weight(charts.fraction_of_seams());
-      for (const ChartEnd& end : charts.ends())
-        constrain_boundary(channel, labels, end);
+      constrain_boundaries(channel, link_condition, labels, has_other_seams);
+      channel.find_plain_vertices(complex_.vertex_capacity());
     }
   }
 
@@ -271,15 +273,10 @@ public:
 
   /// Would a contraction turn a face over in a texture?
   bool turn_over(const PairStar& star, Index a, Index b, const Position& target) const {
-    const ContractedPair pair = contracted(a, b);
-    for (const Channel& channel : channels_) {
-      if (!channel.constrains_charts())
-        continue;
-      if (ChannelContraction(channel, complex_, pair)
-              .turns_over(star, target - geometry_.position(a)))
-        return true;
-    }
-    return false;
+    return std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
+      return channel.constrains_charts() && ChannelContraction(channel, complex_, contracted(a, b))
+                                                .turns_over(star, target - geometry_.position(a));
+    });
   }
 
   /// While the faces of the star still have their old corners, and vertices their old places.
@@ -333,6 +330,19 @@ private:
       return area;
   }
 
+  void constrain_boundaries(Channel& channel, const LinkCondition& link_condition,
+                            const Array<Index>& labels, bool has_other_seams) {
+    if (!channel.constrains_charts() ||
+        (channel.is_boundary_weight_given() && !(channel.chart_boundary_weight() > 0)))
+      return;
+    const ChartEnds charts(complex_, link_condition, channel);
+    if (!charts.has_seams() && !has_other_seams)
+      return;
+    if (!channel.is_boundary_weight_given())
+      channel.choose_boundary_weight(charts.fraction_of_seams());
+    for (const ChartEnd& end : charts.ends())
+      constrain_boundary(channel, labels, end);
+  }
   // Adds a line constraint in the texture and, if seams are soft constraints, one in the surface as
   // well.
   void constrain_boundary(Channel& channel, const Array<Index>& labels, const ChartEnd& boundary) {

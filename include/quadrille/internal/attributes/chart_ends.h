@@ -4,6 +4,7 @@
 #include <quadrille/internal/attributes/channel.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/edge_sides.h>
+#include <quadrille/internal/core/complex/link_condition.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/memory/array.h>
@@ -26,8 +27,11 @@ struct ChartEnd {
 /// looked at only if neither end is.
 class ChartEnds {
 public:
-  ChartEnds(const TriangleComplex& complex, const Channel& channel)
-      : complex_(complex), channel_(channel), signs_(complex.face_capacity(), 0, complex.arena()),
+  /// What the link condition knows of vertices spares a walk around them.
+  ChartEnds(const TriangleComplex& complex, const LinkCondition& link_condition,
+            const Channel& channel)
+      : complex_(complex), link_condition_(link_condition), channel_(channel),
+        signs_(complex.face_capacity(), 0, complex.arena()),
         is_inside_(complex.vertex_capacity(), 0, complex.arena()) {
     for_each_face(complex_, [&](Index face) {
       const double area = channel_.texture_area(complex_, face);
@@ -53,26 +57,47 @@ private:
   // A vertex is inside if it has one wedge, its faces lie on one side in the texture, and each of
   // its neighbours follows once and is followed once, around it.
   void find_inner_vertices() {
-    Array<Index> follows(is_inside_.size(), none, complex_.arena());
-    Array<Index> is_followed(is_inside_.size(), none, complex_.arena());
+    const bool are_kinds_known = link_condition_.knows_kinds();
+    Cycles cycles(complex_, are_kinds_known ? 0 : is_inside_.size());
     for (Index v = 0; v < is_inside_.size(); ++v) {
+      if (!channel_.has_one_wedge(v) ||
+          !(are_kinds_known ? link_condition_.is_oriented(v) : cycles.are_around(v)))
+        continue;
       std::size_t faces = 0;
       int signs = 0;
-      bool is_simple = channel_.has_one_wedge(v);
-      complex_.for_each_corner(v, [&](Index face, Index i) {
-        const StarFace f = star_face_at(complex_, face, i);
-        is_simple = is_simple && follows[f.second] != v && is_followed[f.third] != v;
-        follows[f.second] = is_followed[f.third] = v;
+      complex_.for_each_corner(v, [&](Index face, Index) {
         signs += signs_[face];
         ++faces;
       });
-      complex_.for_each_corner(v, [&](Index face, Index i) {
-        is_simple = is_simple && is_followed[star_face_at(complex_, face, i).second] == v;
-      });
-      is_inside_[v] = is_simple && static_cast<std::size_t>(std::abs(signs)) == faces;
+      is_inside_[v] = static_cast<std::size_t>(std::abs(signs)) == faces;
       edge_ends_ += is_inside_[v] ? faces : 0;
     }
   }
+
+  // Answers whether the faces at a vertex are cycles, oriented alike, where nothing else tells.
+  class Cycles {
+  public:
+    Cycles(const TriangleComplex& complex, std::size_t vertices)
+        : complex_(complex), follows_(vertices, none, complex.arena()),
+          is_followed_(vertices, none, complex.arena()) {}
+
+    bool are_around(Index v) {
+      bool are_simple = true;
+      complex_.for_each_corner(v, [&](Index face, Index i) {
+        const StarFace f = star_face_at(complex_, face, i);
+        are_simple = are_simple && follows_[f.second] != v && is_followed_[f.third] != v;
+        follows_[f.second] = is_followed_[f.third] = v;
+      });
+      complex_.for_each_corner(v, [&](Index face, Index i) {
+        are_simple = are_simple && is_followed_[star_face_at(complex_, face, i).second] == v;
+      });
+      return are_simple;
+    }
+
+  private:
+    const TriangleComplex& complex_;
+    Array<Index> follows_, is_followed_; // of each vertex, around which one last
+  };
 
   template <class Sides>
   void add(Index v, Index w, const Sides& sides) {
@@ -91,6 +116,7 @@ private:
   }
 
   const TriangleComplex& complex_;
+  const LinkCondition& link_condition_;
   const Channel& channel_;
   Array<signed char> signs_; // of the area of each face in the texture
   Array<unsigned char> is_inside_;

@@ -132,6 +132,7 @@ public:
           return;
         read_indexed(map, triangles, input);
       } else {
+        input.values.reserve(points * input.components);
         for (std::size_t i = 0; i < points; ++i)
           map.read(i, input);
       }
@@ -206,6 +207,8 @@ private:
   static void read_indexed(const Map& map, std::size_t triangles, ChannelInput& input) {
     const auto& triples = *map.source().triples;
     const std::size_t count = std::ranges::size(*map.source().values);
+    input.values.reserve(count * input.components);
+    input.corners.reserve(triangles);
     for (std::size_t i = 0; i < count; ++i)
       map.read(i, input);
     read_triples(triples, triangles, count, input);

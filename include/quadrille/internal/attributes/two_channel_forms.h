@@ -25,19 +25,13 @@ template <std::size_t count>
 QUADRILLE_ALWAYS_INLINE inline void add_squares(const FourDifferences& one,
                                                 const FourDifferences& other, Lanes weight,
                                                 LaneForm& form) {
-  std::array<std::array<Lanes, 4>, count> terms;
-  unrolled<count>([&](std::size_t i) QUADRILLE_ALWAYS_INLINE_LAMBDA {
-    const auto lanes = [i](const FourFloats& a, const FourFloats& b)
-                           QUADRILLE_ALWAYS_INLINE_LAMBDA {
-                             return Lanes{static_cast<double>(a[i]), static_cast<double>(b[i])};
-                           };
-    terms[i] = {lanes(one.x, other.x), lanes(one.y, other.y), lanes(one.z, other.z),
-                lanes(one.off, other.off)};
-  });
+  const std::array<std::array<Lanes, 4>, 4> terms = {
+      in_lanes(one.x, other.x), in_lanes(one.y, other.y), in_lanes(one.z, other.z),
+      in_lanes(one.off, other.off)};
   const auto entry = [&](std::size_t j, std::size_t k) QUADRILLE_ALWAYS_INLINE_LAMBDA {
-    Lanes sum = terms[0][j] * terms[0][k];
+    Lanes sum = terms[j][0] * terms[k][0];
     unrolled<count - 1>([&](std::size_t i) QUADRILLE_ALWAYS_INLINE_LAMBDA {
-      sum += terms[i + 1][j] * terms[i + 1][k];
+      sum += terms[j][i + 1] * terms[k][i + 1];
     });
     return weight * sum;
   };

@@ -118,12 +118,10 @@ public:
       existing_ = input.values;
     weights_.assign(origins_.size(), 0);
     values_.resize(origins_.size() * values_of_wedge_);
-    std::fill(values_.begin(), values_.end(), 0.0);
-    gradients_.resize(origins_.size() * gradients_of_wedge_);
-    std::fill(gradients_.begin(), gradients_.end(), 0.0f);
+    gradients_.resize(origins_.size() * gradients_of_wedge_); // set_gradients() fills them
     for (Index w = 0; w < origins_.size(); ++w)
-      for (std::size_t c = 0; c < components_ && origins_[w] != none; ++c)
-        value_of(w, c) = input.value(origins_[w], c);
+      for (std::size_t c = 0; c < values_of_wedge_; ++c)
+        value_of(w, c) = c < components_ && origins_[w] != none ? input.value(origins_[w], c) : 0;
   }
   /// Values that are not of the input.
   void set_values(Index wedge, const std::vector<double>& values) {
@@ -153,14 +151,13 @@ public:
 
   void forget_boundaries() { std::fill(boundaries_.begin(), boundaries_.end(), Matrix2{}); }
   void set_weight(Index wedge, double weight) { weights_[wedge] = weight; }
-  /// Sets the gradients of the components 2 · two and 2 · two + 1, in lengths.
-  void set_gradients(Index wedge, std::size_t two, Lanes x, Lanes y, Lanes z) {
-    float* const gradients = gradients_of(wedge, two / 2) + 2 * (two % 2);
-    for (std::size_t i = 0; i < 2; ++i) {
-      gradients[i] = static_cast<float>(x[i]);
-      gradients[4 + i] = static_cast<float>(y[i]);
-      gradients[8 + i] = static_cast<float>(z[i]);
-    }
+  /// Sets the gradients of four components, in lengths, two and two: those that there are not are
+  /// 0.
+  QUADRILLE_ALWAYS_INLINE void set_gradients(Index wedge, std::size_t four,
+                                             const Vector<3, Lanes>& low,
+                                             const Vector<3, Lanes>& high) {
+    for (std::size_t i = 0; i < 3; ++i)
+      store_four(gradients_of(wedge, four) + 4 * i, four_floats(low[i], high[i]));
   }
 
   const Matrix2& boundary(Index wedge) const { return boundaries_[wedge]; }
@@ -278,12 +275,12 @@ public:
   }
   /// Leaves out all wedges but those of a list, which get the numbers 0, 1, …
   void pack(const Array<Index>& left) {
-    pack(weights_, left, 1);
-    pack(values_, left, values_of_wedge_);
-    pack(gradients_, left, gradients_of_wedge_);
-    pack(boundaries_, left, 1);
-    pack(origins_, left, 1);
-    pack(identities_, left, 1);
+    pack<1>(weights_, left, 1);
+    pack<2>(values_, left, values_of_wedge_);
+    pack<4>(gradients_, left, gradients_of_wedge_);
+    pack<1>(boundaries_, left, 1);
+    pack<1>(origins_, left, 1);
+    pack<1>(identities_, left, 1);
   }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index wedge) const {
@@ -356,15 +353,19 @@ private:
     return true;
   }
 
-  template <class Values>
+  // Each wedge has `size` values, which are copied `step` at a time.
+  template <std::size_t step, class Values>
   static void pack(Values& values, const Array<Index>& left, std::size_t size) {
     if (values.empty())
       return;
     Values packed(values.get_allocator());
     packed.resize(left.size() * size);
-    for (std::size_t i = 0; i < left.size(); ++i)
-      for (std::size_t k = 0; k < size; ++k)
-        packed[i * size + k] = values[left[i] * size + k];
+    auto* to = packed.data();
+    for (const Index wedge : left) {
+      const auto* const from = values.data() + wedge * size;
+      for (std::size_t k = 0; k < size; k += step, to += step)
+        std::copy_n(from + k, step, to);
+    }
     values = std::move(packed);
   }
 

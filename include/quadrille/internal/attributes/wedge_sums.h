@@ -86,9 +86,14 @@ public:
   WedgeSums(std::size_t wedges, std::size_t components, Arena* arena)
       : size_(Row(components).size()), rows_(arena) {
     rows_.resize(wedges * size_);
-    std::fill(rows_.begin(), rows_.end(), 0.0);
   }
 
+  /// Begins the sum of a wedge.
+  QUADRILLE_ALWAYS_INLINE void clear(Index wedge) {
+    double* const row = &rows_[wedge * size()];
+    for (std::size_t k = 0; k < size(); k += 2)
+      store_two(row + k, Lanes{});
+  }
   QUADRILLE_ALWAYS_INLINE void add(Index wedge, const Row& face) {
     double* const row = &rows_[wedge * face.size()];
     for (std::size_t k = 0; k < face.size(); k += 2)
@@ -96,15 +101,21 @@ public:
   }
   /// Gives the wedge its map. Returns what its faces disagree about.
   SymmetricMatrix<3> resolve(Index wedge, WedgeRecords& records) const {
-    const double* const row = &rows_[wedge * size_];
+    const double* const row = &rows_[wedge * size()];
     const double weight = row[squares_in_row - 2];
     const double inverse = weight > 0 ? 1 / weight : 0;
     SymmetricMatrix<3, Lanes> squares;
-    for (std::size_t k = squares_in_row; k < size_; k += 6) {
+    const auto mean_of_two = [&](std::size_t k) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+      if (k >= size())
+        return Vector<3, Lanes>();
       const Vector<3, Lanes> sum{{load_two(row + k), load_two(row + k + 2), load_two(row + k + 4)}};
       squares += SymmetricMatrix<3, Lanes>::outer_product(sum, Lanes{inverse, inverse});
-      records.set_gradients(wedge, (k - squares_in_row) / 6, inverse * sum[0], inverse * sum[1],
-                            inverse * sum[2]);
+      return Vector<3, Lanes>{{inverse * sum[0], inverse * sum[1], inverse * sum[2]}};
+    };
+    for (std::size_t four = 0; four < records.fours(); ++four) {
+      const std::size_t k = squares_in_row + 12 * four;
+      const Vector<3, Lanes> low = mean_of_two(k);
+      records.set_gradients(wedge, four, low, mean_of_two(k + 6));
     }
     records.set_weight(wedge, weight);
     SymmetricMatrix<3> difference;
@@ -116,7 +127,10 @@ public:
   }
 
 private:
-  std::size_t size_; // of a row
+  // The size of a row.
+  std::size_t size() const { return known_twos == 0 ? size_ : squares_in_row + 6 * known_twos; }
+
+  std::size_t size_;
   UninitializedArray<double> rows_;
 };
 

@@ -42,14 +42,15 @@ public:
     const auto are_one = [&](Index face, Index i, Index other, Index j) {
       return are_equal(value_at(face, i), value_at(other, j));
     };
-    corners_.resize(complex.face_capacity());
-    for (Index face = 0; face < corners_.size(); ++face)
-      corners_[face] = complex.vertices(face); // the first wedges
+    corners_.reserve(complex.face_capacity());
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      corners_.push_back(complex.vertices(face)); // the first wedges
     next_.assign(complex.vertex_capacity(), none);
+    const Array<Index> values = sole_values(complex, value_at);
     Fans fans;
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-      if (const Index value = sole_value(complex, v, value_at); value != none) {
-        found(v, value);
+      if (values[v] < several) {
+        found(v, values[v]);
         continue;
       }
       fans.gather(complex, v, are_one);
@@ -154,17 +155,22 @@ private:
     return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
   }
 
-  // The value that all corners of a vertex have; none if they have several, or it has no corners.
+  static constexpr Index several = none - 1;
+
+  // The value that all corners of a vertex have; `several` if they have several, none if it has no
+  // corners.
   template <class ValueAt>
-  static Index sole_value(const TriangleComplex& complex, Index v, ValueAt value_at) {
-    Index first = none;
-    bool is_sole = true;
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const Index value = value_at(face, i);
-      first = first == none ? value : first;
-      is_sole = is_sole && value == first;
+  static Array<Index> sole_values(const TriangleComplex& complex, ValueAt value_at) {
+    Array<Index> values(complex.vertex_capacity(), none, complex.arena());
+    for_each_face(complex, [&](Index face) {
+      const auto& vertices = complex.vertices(face);
+      for (Index i = 0; i < 3; ++i) {
+        Index& value = values[vertices[i]];
+        const Index here = value_at(face, i);
+        value = value == none || value == here ? here : several;
+      }
     });
-    return is_sole ? first : none;
+    return values;
   }
 
   Index append_after(Index last) {

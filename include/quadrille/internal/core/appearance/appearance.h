@@ -5,6 +5,7 @@
 #include <quadrille/internal/core/appearance/no_channels.h>
 #include <quadrille/internal/core/appearance/seam_graph.h>
 #include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/complex/link_condition.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/memory/array.h>
@@ -56,7 +57,7 @@ public:
   }
 
   /// Accumulates its current values in the states of vertices.
-  void accumulate() {
+  void accumulate([[maybe_unused]] const LinkCondition& link_condition) {
     if constexpr (has_channels)
       channels_.accumulate(seams_.labels(), policies_.threads);
     std::vector<std::array<Index, 2>> edges; // of two faces
@@ -65,7 +66,7 @@ public:
         edges.push_back({v, w});
     });
     if constexpr (has_channels)
-      channels_.constrain_boundaries(seams_.labels(), !seams_.is_empty());
+      channels_.constrain_boundaries(link_condition, seams_.labels(), !seams_.is_empty());
     states_.accumulate_creases(policies_.cost, policies_.region_boundary_weight,
                                geometry_.positions(), complex_, edges);
   }

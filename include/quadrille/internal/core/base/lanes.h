@@ -11,6 +11,12 @@ namespace quadrille::internal {
 
 #if QUADRILLE_VECTOR_EXTENSIONS
 
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector) && __has_builtin(__builtin_convertvector)
+#define QUADRILLE_SHUFFLES 1
+#endif
+#endif
+
 /// Two doubles that are computed with at once, with what every 64-bit machine has for that.
 using Lanes = double __attribute__((vector_size(16)));
 
@@ -108,6 +114,24 @@ QUADRILLE_ALWAYS_INLINE inline FourFloats load_four(const float* numbers) {
 }
 QUADRILLE_ALWAYS_INLINE inline void store_four(float* numbers, const FourFloats& four) {
   std::memcpy(numbers, &four, sizeof four);
+}
+/// Returns the floats of two fours as doubles: the first two in lanes, then the second, and so on.
+QUADRILLE_ALWAYS_INLINE inline std::array<Lanes, 4> in_lanes(const FourFloats& a,
+                                                             const FourFloats& b) {
+#if QUADRILLE_SHUFFLES // else compilers convert one number after the other
+  using TwoFloats = float __attribute__((vector_size(8)));
+  const TwoFloats first = __builtin_shufflevector(a, b, 0, 4);
+  const TwoFloats second = __builtin_shufflevector(a, b, 1, 5);
+  const TwoFloats third = __builtin_shufflevector(a, b, 2, 6);
+  const TwoFloats fourth = __builtin_shufflevector(a, b, 3, 7);
+  return {__builtin_convertvector(first, Lanes), __builtin_convertvector(second, Lanes),
+          __builtin_convertvector(third, Lanes), __builtin_convertvector(fourth, Lanes)};
+#else
+  const auto both = [&](std::size_t i) {
+    return Lanes{static_cast<double>(a[i]), static_cast<double>(b[i])};
+  };
+  return {both(0), both(1), both(2), both(3)};
+#endif
 }
 QUADRILLE_ALWAYS_INLINE inline FourFloats four_floats(Lanes low, Lanes high) {
   return FourFloats{static_cast<float>(low[0]), static_cast<float>(low[1]),

@@ -156,6 +156,17 @@ public:
       weigh(pairs, values);
   }
 
+  /// Leaves out pairs that are seen to cost more than a limit without all of their terms; the keys
+  /// of the others are not known by that.
+  void drop_above([[maybe_unused]] float limit,
+                  [[maybe_unused]] AppendBuffer<VertexPair>& pairs) const {
+    if constexpr (has_two_lanes<Cost, typename EstimateOf<Placement>::type>)
+      if constexpr (TwoLanes<PairEvaluator>::has_bounds)
+        if (limit < std::numeric_limits<float>::infinity() && is_optimal(policies().placement) &&
+            !state_.importance.is_any_given() && state_.channels().are_costly())
+          TwoLanes(*this).drop_above(limit, pairs);
+  }
+
   /// The key of a pair, as a float.
   float key_of(const VertexPair& p) const {
     const float key = key_alike(p);

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -65,9 +66,10 @@ public:
   }
 
   /// Calls visit(v, w, key) for each pair of a vertex v = begin, begin + step, … below `end` with
-  /// one of a higher number.
+  /// one of a higher number. Pairs whose keys are above `limit` may be left out.
   template <class Visit>
-  void for_each_above(PairTools& tools, Index begin, Index end, Index step, Visit visit) {
+  void for_each_above(PairTools& tools, Index begin, Index end, Index step, Visit visit,
+                      float limit = std::numeric_limits<float>::infinity()) {
     constexpr std::size_t many = 256; // evaluated in one go
     for (Index v = begin; v < end;) {
       tools.pairs.clear();
@@ -78,6 +80,7 @@ public:
           prefetch_next(v, end);
         find(tools, v, v + 1);
       }
+      evaluator_.drop_above(limit, tools.pairs);
       visit_found(tools, visit);
     }
   }

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CORE_EVALUATION_TWO_LANES_H
 
 #include <quadrille/internal/core/appearance/no_channels.h>
+#include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/lanes.h>
 #include <quadrille/internal/core/complex/vertex_labels.h>
 #include <quadrille/internal/core/cost/local_star.h>
@@ -72,17 +73,32 @@ public:
 
   /// The last pair is taken alone twice, if need be: there is room for one key more.
   void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys, VertexLabels&) const {
-    const auto& states = evaluator_.state().states;
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
       const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
-      const auto& [p, q] = two;
       const std::array<Vector<3>, 2> to_seconds = displacements(two);
-      const Lanes values =
-          least_values({&states[p.first], &states[q.first]}, {&states[p.second], &states[q.second]},
-                       to_seconds, squared_ring_radii(two), channel_forms(two, to_seconds));
-      write(two, values, keys + i);
+      write(two, values_of(two, to_seconds, channel_forms(two, to_seconds)), keys + i);
     }
     rewrite_fixed(pairs, keys);
+  }
+
+  /// Is it cheaper to know what pairs cost at least, without what only channels add to them?
+  static constexpr bool has_bounds = Evaluator::counts_channels && !has_local_terms<Cost>;
+
+  /// Leaves out pairs of which the state alone costs more than a limit: what channels add to it is
+  /// a sum of squares. There is a margin for rounding.
+  void drop_above(float limit, AppendBuffer<VertexPair>& pairs) const requires has_bounds {
+    constexpr float margin = 1.001f;
+    std::size_t left = 0;
+    const std::size_t count = pairs.size();
+    for (std::size_t i = 0; i < count; i += 2) {
+      const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, count - 1)]};
+      const Lanes values = values_of(two, displacements(two), NothingAdded{});
+      for (std::size_t k = 0; k < (std::min)(count - i, std::size_t{2}); ++k) {
+        pairs[left] = two[k];
+        left += !(Evaluator::as_key(values[k]) > margin * limit); // without a branch
+      }
+    }
+    pairs.resize(left);
   }
 
   /// One vertex after the other, since its pairs share what its faces say.
@@ -115,6 +131,18 @@ private:
       return two_channel_forms(evaluator_.state().channels(), two, displacements);
     else
       return NothingAdded{};
+  }
+
+  // Returns the least values of the states of two pairs with what is added to them.
+  template <class Added>
+  QUADRILLE_ALWAYS_INLINE Lanes values_of(const TwoPairs& two,
+                                          const std::array<Vector<3>, 2>& to_seconds,
+                                          const Added& added) const {
+    const auto& states = evaluator_.state().states;
+    const auto& [p, q] = two;
+    return least_values({&states[p.first], &states[q.first]},
+                        {&states[p.second], &states[q.second]}, to_seconds, squared_ring_radii(two),
+                        added);
   }
 
   template <class Star>

@@ -242,10 +242,12 @@ private:
     Proposals& proposals = worker.proposals;
     proposals.clear();
     proposals.reserve(2 * block_size); // as a rule there are fewer
-    surface_.pairs().for_each_above(worker.scratch, block.begin, block.end, 1,
-                                    [&](Index v, Index w, float cost) {
-                                      proposals.add_if(cost <= limit, {cost, v, w});
-                                    });
+    surface_.pairs().for_each_above(
+        worker.scratch, block.begin, block.end, 1,
+        [&](Index v, Index w, float cost) {
+          proposals.add_if(cost <= limit, {cost, v, w});
+        },
+        limit);
     proposals.sort();
   }
 

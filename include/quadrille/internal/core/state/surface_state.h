@@ -201,7 +201,7 @@ struct SurfaceState {
                       scratch().labels, creases.left(numbering), shared, is_interior,
                       policies.threads);
     states.accumulate_input(policies.cost, numbering);
-    appearance.accumulate();
+    appearance.accumulate(link_condition);
   }
 
   /// Does a contraction. Attributes meet while faces still have their old corners.
