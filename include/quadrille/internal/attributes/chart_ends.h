@@ -27,7 +27,7 @@ struct ChartEnd {
 /// looked at only if neither end is.
 class ChartEnds {
 public:
-  /// What the link condition knows of vertices spares a walk around them.
+  /// A walk around a vertex is spared where the link condition knows its kind.
   ChartEnds(const TriangleComplex& complex, const LinkCondition& link_condition,
             const Channel& channel)
       : complex_(complex), link_condition_(link_condition), channel_(channel),
@@ -74,7 +74,7 @@ private:
     }
   }
 
-  // Answers whether the faces at a vertex are cycles, oriented alike, where nothing else tells.
+  // Answers whether the faces at a vertex are cycles, oriented alike, if nothing else knows.
   class Cycles {
   public:
     Cycles(const TriangleComplex& complex, std::size_t vertices)
