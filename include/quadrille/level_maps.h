@@ -60,11 +60,11 @@ struct SparseRows {
 /// Carries places from a level to another one, which may be coarser or finer.
 ///
 /// Each contraction replaces the faces around its two ends. A place on them moves to the point of
-/// the new faces that is nearest to where it was at first; faces that are turned by less than 90
-/// degrees are preferred, so that both sides of a thin part stay apart. If no face is left there,
-/// it moves to the faces next to those that were removed; if there are none either, its face becomes
-/// not_recorded. At the end, each place moves over edges as long as the surface comes nearer.
-/// Places whose surroundings do not change keep their bits.
+/// the new faces that is nearest to where it was at first. Faces that are turned by less than 90
+/// degrees are preferred if they are hardly further, so that both sides of a thin part stay apart.
+/// If no face is left there, it moves to the faces next to those that were removed; if there are
+/// none either, its face becomes not_recorded. At the end, each place moves over edges as long as
+/// the surface comes nearer. Places whose surroundings do not change keep their bits.
 ///
 /// Takes time proportional to the number of contractions between the levels, and to the number of
 /// places times the logarithm of the ratio of their faces. Throws std::invalid_argument for a place

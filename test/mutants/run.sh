@@ -76,6 +76,8 @@ passes() {
   esac
   case $1 in
     gltf* | mesh_io | public_data) sources="$folder/examples/products/mesh_io/*.cpp $folder/examples/products/mesh_io/gltf/*.cpp" ;; # quadrille_mesh_io
+    interface) # with the sources of the interface, where the bugs are
+      options=-DQUADRILLE_WITH_COMPILED sources="$folder/include/quadrille/c/*.cpp" libraries="$folder/compiled.a $libraries" ;;
     eigen) options=$(pkg-config --cflags eigen3) ;;
     handles) prelude= ;; # with which g++ 12 takes more than 20 GB
     any_order) options="-O1 -I$folder/test/any_order" ;;

@@ -97,6 +97,22 @@ class Maps(unittest.TestCase):
         of_whole = (whole.old_to_new @ whole.points)[faces].reshape(-1, 3)
         self.assertLess(farthest(result.old_to_new @ result.points, split), 2 * farthest(of_whole, split))
 
+        last = len(split) - 1  # a point of nothing but a triangle that is degenerate once points are joined
+        twice = np.concatenate([split, split[last:], split[:1]])
+        triangles = np.concatenate([np.arange(len(split)), [last, last + 1, last + 2]]).reshape(-1, 3)
+        result = quadrille.simplify(twice, triangles, faces=100, split_vertices=True, maps=True)
+        self.assertFalse(self.check(result.old_to_new, len(twice), len(result.points)).any())
+        self.assertEqual((result.old_to_new @ result.points)[last].tolist(),
+                         (result.old_to_new @ result.points)[last + 1].tolist())
+
+    def test_surfaces_that_are_not_wound_alike(self):
+        points, faces, _ = torus(24)
+        faces[::2] = faces[::2, ::-1]
+        result = quadrille.simplify(points, faces, error=0.2, both_ways=True, maps=True)
+        self.assertLess(len(result.points), len(points))
+        self.assertLessEqual(farthest(result.old_to_new @ result.points, points), result.report.hausdorff_bound)
+        self.assertLessEqual(farthest(result.new_to_old @ points, result.points), result.report.hausdorff_bound)
+
     def test_with_levels_and_functions_and_hulls(self):
         points, faces, _ = torus(16)
         levels = quadrille.Levels()

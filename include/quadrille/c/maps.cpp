@@ -4,7 +4,9 @@
 #include <quadrille/levels.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace quadrille::internal {
@@ -19,6 +21,18 @@ NumberedSurface surface_of(const SoupView& soup, const std::vector<std::uint32_t
   for (const std::uint32_t face : faces)
     triangles.push_back(soup.triangles[face]);
   return {soup.points.size(), corners_by_face(triangles, faces)};
+}
+
+// Gives points without a place that of another point at exactly the same position.
+void share_places(const SoupView& soup, std::vector<SurfacePlace>& places) {
+  std::map<std::array<double, 3>, SurfacePlace> by_position;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i].face != not_recorded)
+      by_position.try_emplace(soup.points[i], places[i]);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (const auto found = by_position.find(soup.points[i]);
+        places[i].face == not_recorded && found != by_position.end())
+      places[i] = found->second;
 }
 
 SparseRows empty_rows(std::size_t rows, std::size_t columns) {
@@ -38,7 +52,10 @@ void set_maps(quadrille_call& call, const SoupView& soup, const Levels& levels) 
   const NumberedSurface old_surface = surface_of(soup, levels.at(AfterContractions{0}).input_faces);
   const NumberedSurface new_surface{result.points.size(),
                                     corners_by_face(result.triangles, result.input_faces)};
-  call.old_to_new = vertex_rows(levels, fine, old_surface, coarse, new_surface);
+  std::vector<SurfacePlace> places = old_surface.places();
+  if (call.job.split_vertices)
+    share_places(soup, places);
+  call.old_to_new = rows_of(carried_places(levels, fine, coarse, places), new_surface);
   call.new_to_old = vertex_rows(levels, coarse, new_surface, fine, old_surface);
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -45,10 +46,17 @@ public:
 
   /// Carries the places to a level.
   void carry_to(const LevelInfo& to) {
-    while (steps_.info().contractions < to.contractions && steps_.coarsen())
+    set_detour((std::max)(steps_.info(), to, is_finer));
+    while (steps_.info().contractions < to.contractions && steps_.coarsen()) {
+      set_detour(steps_.info());
       follow();
-    while (steps_.info().contractions > to.contractions && steps_.refine())
+    }
+    for (LevelInfo coarser = steps_.info(); coarser.contractions > to.contractions;
+         coarser = steps_.info()) {
+      set_detour(coarser);
+      steps_.refine();
       follow();
+    }
     for (Place& place : places_)
       if (place.face != none)
         approach(place);
@@ -80,8 +88,29 @@ private:
   struct Choice {
     const Face* face = nullptr;
     NearestPoint point;
-    bool is_turned = false;
+
+    void take_nearer(const Face& other, const Vector<3>& position) {
+      if (squared_distance_to_box(position, other.box) >= point.squared_distance)
+        return; // saves a quarter of the time of both maps
+      const NearestPoint nearest = nearest_of_triangle(position, other.corners);
+      if (nearest.squared_distance < point.squared_distance) {
+        face = &other;
+        point = nearest;
+      }
+    }
   };
+
+  static bool is_finer(const LevelInfo& a, const LevelInfo& b) {
+    return a.contractions < b.contractions;
+  }
+
+  // Sets how much further a face on the side of a place may be than one that is turned, for a step
+  // to or from a level: twice the error, and never beyond the bound of the level. Where faces are
+  // not wound alike, those that are not turned may be far away.
+  void set_detour(const LevelInfo& coarser) {
+    detour_ = scale_.length_from_mesh(2 * coarser.error);
+    bound_ = scale_.length_from_mesh(coarser.hausdorff_bound);
+  }
 
   // Returns for each face of the input its number in the level.
   std::vector<Index> face_numbers() const {
@@ -154,22 +183,22 @@ private:
       faces_.push_back(face_at(face));
   }
 
-  // Faces that are turned by 90 degrees or more come last, and among others as near the first one.
+  // Chooses the nearest face, or one on the same side that is hardly further: turned by less than
+  // 90 degrees.
   Choice nearest_face(const Place& place) const {
-    Choice best;
-    for (const Face& face : faces_) {
-      const bool is_turned = dot(face.normal, place.normal) < 0;
-      if (best.face && is_turned && !best.is_turned)
-        continue;
-      const bool is_better = !best.face || (best.is_turned && !is_turned);
-      if (!is_better &&
-          squared_distance_to_box(place.position, face.box) >= best.point.squared_distance)
-        continue; // saves a quarter of the time of both maps
-      const NearestPoint point = nearest_of_triangle(place.position, face.corners);
-      if (is_better || point.squared_distance < best.point.squared_distance)
-        best = {&face, point, is_turned};
-    }
-    return best;
+    Choice same_side, turned;
+    for (const Face& face : faces_)
+      if (dot(face.normal, place.normal) >= 0)
+        same_side.take_nearer(face, place.position);
+    turned.point.squared_distance = same_side.point.squared_distance;
+    for (const Face& face : faces_)
+      if (dot(face.normal, place.normal) < 0)
+        turned.take_nearer(face, place.position);
+    if (!turned.face)
+      return same_side;
+    const double allowed =
+        (std::min)(std::sqrt(turned.point.squared_distance) + detour_ + rounding, bound_);
+    return same_side.point.squared_distance <= allowed * allowed ? same_side : turned;
   }
 
   // Moves a place over edges and corners as long as it comes nearer to its first position.
@@ -185,7 +214,7 @@ private:
       const Choice choice = nearest_face(place);
       const double distance =
           squared_distance(place.position, combination(face_at(place.face).corners, place.weights));
-      if (choice.is_turned || !(choice.point.squared_distance < distance))
+      if (!(choice.point.squared_distance < distance))
         return;
       place.face = choice.face->number;
       place.normal = choice.face->normal;
@@ -193,8 +222,11 @@ private:
     }
   }
 
+  static constexpr double rounding = 0x1p-20; // the extent of the surface is about 2^20
+
   LevelSteps steps_;
   Scale<3> scale_;
+  double detour_ = 0, bound_ = 0;
   std::vector<Index> first_; // for each face, the first place on it
   std::vector<Index> next_;  // for each place, the next one on its face
   std::vector<Place> places_;
