@@ -34,7 +34,6 @@
 #include <quadrille/planar_patches.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplified.h>
-#include <quadrille/simplified_topology.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>

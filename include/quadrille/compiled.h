@@ -122,11 +122,14 @@ struct SoupOptions {
   std::optional<double> pairs_closer_than = {};       ///< see ThresholdPairs; without it the pairs
                                                       ///< are the edges
   std::optional<Topology> topology = std::nullopt;    ///< kept, or by default free with pairs
-  std::optional<double> simplified_topology = {};     ///< a size, see SimplifiedTopology
-  double normal_flip = 90;                            ///< degrees, see NormalFlip
-  std::optional<double> normal_deviation;             ///< degrees, see NormalDeviation
-  bool no_self_intersection = false;                  ///< see NoSelfIntersection
-  bool keep_solid = false;                            ///< see KeepSolid
+  /// The soup is cut into manifold sheets first: see make_manifold().
+  bool manifold = false;
+  /// Tunnels and handles up to a size are cut first: see cut_handles().
+  std::optional<double> simplified_topology = {};
+  double normal_flip = 90;                ///< degrees, see NormalFlip
+  std::optional<double> normal_deviation; ///< degrees, see NormalDeviation
+  bool no_self_intersection = false;      ///< see NoSelfIntersection
+  bool keep_solid = false;                ///< see KeepSolid
   /// A filter in addition to these: may this contraction be done? See FilterPolicy; with several
   /// threads it is called concurrently.
   std::function<bool(const SoupContraction&)> allows = {};

@@ -23,8 +23,7 @@ struct EdgePairs {
   void operator()(const SurfaceView& /*surface*/, const EmitPair& /*emit*/) const {}
 };
 
-struct SimplifiedTopology; // is in <quadrille/simplified_topology.h>: include that to use it
-class ThresholdPairs;      // is in <quadrille/threshold_pairs.h>: include that to use it
+class ThresholdPairs; // is in <quadrille/threshold_pairs.h>: include that to use it
 
 /// The ways in which contractions may change the topology of the surface.
 enum class Topology {

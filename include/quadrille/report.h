@@ -155,10 +155,10 @@ struct Report {
   /// The size of the largest removed component: the diagonal of its bounding box, in the mesh's
   /// units.
   double largest_vanished_component = 0;
-  /// Handles and tunnels that were cut: see SimplifiedTopology. The genus of the surface, that of
-  /// all its components together, is by this number less.
+  /// Handles and tunnels that were cut before: see SoupOptions::simplified_topology. The genus of
+  /// the surface, that of all its components together, is by this number less.
   std::size_t cut_handles = 0;
-  /// Components that were cut in two: see SimplifiedTopology.
+  /// Components that were cut in two before.
   std::size_t split_components = 0;
   std::size_t non_manifold_edges = 0;    ///< edges of the result with at least three faces
   std::size_t non_manifold_vertices = 0; ///< vertices of the result whose faces form neither a

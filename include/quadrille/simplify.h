@@ -54,8 +54,6 @@ inline namespace QUADRILLE_THREADING {
 /// - Labels: labels of faces, whose regions are preserved
 /// - Texture, Normals, Colors, Attributes, of <quadrille/channels.h>, any number: channels of
 ///   attributes; SplitVertices, for a soup
-/// - SimplifiedTopology, of <quadrille/simplified_topology.h>: handles and tunnels up to a size are
-///   cut
 /// - Topology: kept, free, or components_may_vanish; kept by default, free with pairs that are not
 /// edges
 /// - record_into(recorder), of <quadrille/record.h>: the recorder, such as Levels, receives all
@@ -115,7 +113,6 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    internal::check_mesh_arguments<internal::CostOf<Cost, Arguments...>, Arguments...>();
     const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);

@@ -1,29 +1,18 @@
-// SimplifiedTopology: tunnels and handles up to a size are cut, wider ones stay, and the surface
-// stays a closed manifold.
+// cut_handles: tunnels and handles up to a size are cut, wider ones stay, and the surface stays a
+// closed manifold.
 
-#include "meshes.h"
 #include "soups.h"
 
-#include <quadrille/channels.h>
-#include <quadrille/distance_limits.h>
-#include <quadrille/guards.h>
-#include <quadrille/levels.h>
-#include <quadrille/manifold.h>
-#include <quadrille/memoryless_quadric.h>
-#include <quadrille/relaxed_order.h>
-#include <quadrille/simplified_topology.h>
-#include <quadrille/simplify.h>
-#include <quadrille/threshold_pairs.h>
+#include <quadrille/cut_handles.h>
 
-#include <CGAL/property_map.h>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,7 +21,6 @@
 namespace {
 
 using namespace quadrille;
-using test::PointSoup;
 using test::Position;
 using test::Soup;
 
@@ -130,18 +118,20 @@ Soup filled(const Shape& shape, std::vector<Square> squares, double size) {
   return shape.make(squares);
 }
 
-Soup soup_of(const PointSoup& points) {
-  Soup soup{{}, points.triangles};
-  for (const auto& p : points.points)
-    soup.points.push_back(test::to_position(p));
+using Points = std::vector<std::array<double, 3>>;
+
+Soup soup_of(const Points& points, const std::vector<test::Triangle>& triangles) {
+  Soup soup{{}, triangles};
+  for (const auto& p : points)
+    soup.points.push_back({p});
   return soup;
 }
 
-template <class... Arguments>
-std::pair<Soup, Report> simplified(const Soup& input, const Arguments&... arguments) {
-  PointSoup soup(input);
-  const Report report = simplify(soup.points, soup.triangles, arguments...);
-  return {soup_of(soup), report};
+Points arrays_of(const Soup& soup) {
+  Points points;
+  for (const Position& p : soup.points)
+    points.push_back(p.coordinates);
+  return points;
 }
 
 void require_manifold(const Soup& soup) {
@@ -159,23 +149,35 @@ std::pair<std::size_t, long> parts_and_genus(const Soup& soup) {
   return {topology.components, topology.genus()};
 }
 
-/// A shape without tunnels and handles below a size, where few faces are left.
-template <class... Arguments>
-void check(const Shape& shape, std::uint64_t seed, double size, const Arguments&... arguments) {
+/// A soup without tunnels and handles below a size. What must hold of any is checked.
+std::pair<Soup, HandleChanges> cut(const Soup& input, double size) {
+  Points points = arrays_of(input);
+  std::vector<test::Triangle> triangles = input.triangles;
+  const HandleChanges changes = cut_handles(points, triangles, size);
+  const Soup result = soup_of(points, triangles);
+  require_manifold(result);
+  CHECK(test::volume(result) == Approx(test::volume(input)));
+  const auto before = parts_and_genus(input), after = parts_and_genus(result);
+  CHECK(before.second == after.second + static_cast<long>(changes.cut_handles));
+  CHECK(after.first == before.first + changes.split_components);
+  CHECK(points.size() == input.points.size() + changes.origins.size());
+  CHECK(changes.triangles.size() == triangles.size());
+  CHECK(std::equal(input.points.begin(), input.points.end(), result.points.begin()));
+  for (std::size_t i = 0; i < changes.origins.size(); ++i) {
+    const auto& [a, b] = changes.origins[i];
+    REQUIRE((std::max)(a, b) < input.points.size() + i);
+    CHECK(result.points[input.points.size() + i] ==
+          0.5 * result.points[a] + 0.5 * result.points[b]);
+  }
+  return {result, changes};
+}
+
+/// A shape without tunnels and handles below a size.
+void check(const Shape& shape, std::uint64_t seed, double size) {
   INFO(shape.name << ", seed " << seed << ", size " << size);
   const auto holes = squares(seed, widths);
-  const Soup input = shape.make(holes);
-  const auto [result, report] =
-      simplified(input, FaceCount{76}, SimplifiedTopology{size}, arguments...);
-  require_manifold(result);
-  const auto before = parts_and_genus(input), after = parts_and_genus(result);
-  CHECK(after.second == parts_and_genus(filled(shape, holes, size)).second);
-  CHECK(before.second == after.second + static_cast<long>(report.cut_handles));
-  CHECK(report.components_before == before.first);
-  CHECK(report.components_after == after.first);
-  CHECK(after.first == before.first + report.split_components);
-  CHECK(result.triangles.size() == report.faces_after);
-  CHECK(result.points.size() == report.vertices_after);
+  const auto [result, changes] = cut(shape.make(holes), size);
+  CHECK(parts_and_genus(result).second == parts_and_genus(filled(shape, holes, size)).second);
 }
 
 /// A plate with a narrow tunnel and a wide one.
@@ -192,145 +194,70 @@ TEST_CASE("What is narrower than the size goes, all else stays") {
         check(shape, seed, size);
 }
 
-TEMPLATE_TEST_CASE("Other costs cut as well", "", MemorylessQuadric, ThinFeatureQuadric) {
-  for (const Shape& shape : shapes)
-    check(shape, 1, 1.5, TestType());
-}
-
-TEST_CASE("Passes leave the cuts to the greedy order after them") {
-  for (const Shape& shape : shapes) {
-    check(shape, 1, 1.5, RelaxedOrder{});
-    check(shape, 2, 1.5, RelaxedOrder{.refresh = true});
-  }
+TEST_CASE("A ring is cut across, where it is thinner than its hole is wide") {
+  const Soup ring = test::torus(64, 32); // of the diameter 0.8, with a hole of 1.2
+  for (const double size : {0.5, 0.64, 0.8})
+    CHECK(cut(ring, size).second.cut_handles == 0);
+  for (const double size : {0.9, 1.2})
+    CHECK(cut(ring, size).second.cut_handles == 1);
+  CHECK(cut(test::with_noise(ring, 1, 0.02), 1.2).second.cut_handles == 1);
 }
 
 TEST_CASE("A tunnel that alone joins two walls parts them, and a limb stays however thin") {
   // A hollow box with one hole in its wall: the room gets a surface of its own.
-  const auto [room, of_room] =
-      simplified(shell({{8, 8, 1}}), FaceCount{24}, SimplifiedTopology{1.5});
-  require_manifold(room);
+  const Soup box = shell({{8, 8, 1}});
+  const auto [room, of_room] = cut(box, 1.5);
   CHECK(of_room.cut_handles == 0);
   CHECK(of_room.split_components == 1);
-  CHECK(of_room.components_after == 2);
   // Two blocks joined by a bar.
   const Soup bar = test::surface_of_cubes(
       30, 8, 8, [](int x, int y, int z) { return x < 8 || x >= 22 || (y == 4 && z == 4); });
-  const auto [limbs, of_limbs] = simplified(bar, FaceCount{16}, SimplifiedTopology{1.5});
-  require_manifold(limbs);
-  CHECK(of_limbs.split_components + of_limbs.cut_handles == 0);
-  CHECK(of_limbs.components_after == 1);
+  CHECK(cut(bar, 1.5).second.origins.empty());
+  // A dent is no tunnel, however deep.
+  const Soup dent = test::surface_of_cubes(
+      9, 9, 12, [](int x, int y, int z) { return x != 4 || y != 4 || z < 2; });
+  CHECK(cut(dent, 1.5).second.origins.empty());
 }
 
-TEST_CASE("A size of nothing cuts nothing, to the same bits") {
+TEST_CASE("The last of several tunnels through a wall parts it") {
+  const auto [result, changes] = cut(shell({{5, 5, 1}, {9, 9, 1}, {15, 5, 1}, {15, 12, 1}}), 1.5);
+  CHECK(changes.cut_handles == 3);
+  CHECK(changes.split_components == 1);
+}
+
+TEST_CASE("Nothing is cut at points that are kept") {
   const Soup input = two_tunnels();
-  const auto [plain, report] = simplified(input, FaceCount{60});
-  CHECK(test::is_identical(plain, simplified(input, FaceCount{60}, SimplifiedTopology{0}).first));
-  CHECK(report.cut_handles == 0);
-  const std::optional<SimplifiedTopology> none;
-  CHECK(test::is_identical(plain, simplified(input, FaceCount{60}, none).first));
+  Points points = arrays_of(input);
+  std::vector<test::Triangle> triangles = input.triangles;
+  std::vector<bool> is_kept;
+  for (const auto& p : points)
+    is_kept.push_back(p[0] >= 4 && p[0] <= 5 && p[1] >= 4 && p[1] <= 5);
+  CHECK(cut_handles(points, triangles, 1.5, is_kept).origins.empty());
+  CHECK(test::is_identical(soup_of(points, triangles), input));
 }
 
-TEST_CASE("Small parts may vanish beside cuts, with what was cut of them") {
-  Soup input = two_tunnels();
-  Soup ring = test::torus(24, 12); // a small one, with a hole of its own
-  for (Position& p : ring.points)
-    p = 0.4 * p;
-  for (int i = 0; i < 5; ++i)
-    input = test::joined(input, ring, {{4. * i, -6, 0}});
-  const auto [result, report] =
-      simplified(input, FaceCount{30}, SimplifiedTopology{1.5}, Topology::components_may_vanish);
-  require_manifold(result);
-  CHECK(report.faces_after <= 30);
-  CHECK(report.components_before == 6);
-  CHECK(report.components_after == test::topology_of(result).components);
-  CHECK(report.vanished_components + report.components_after ==
-        report.components_before + report.split_components);
+TEST_CASE("Cuts go round what is not manifold, and boundaries stay") {
+  // Two blocks that touch along an edge, each with a tunnel.
+  Soup input = test::surface_of_cubes(10, 10, 3, [](int x, int y, int) {
+    return (x < 5) == (y < 5) && !(x == 2 && y == 2) && !(x == 7 && y == 7);
+  });
+  Points points = arrays_of(input);
+  std::vector<test::Triangle> triangles = input.triangles;
+  CHECK(cut_handles(points, triangles, 1.5).cut_handles == 2);
+  Soup open = two_tunnels();
+  open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
+  points = arrays_of(open);
+  triangles = open.triangles;
+  CHECK(cut_handles(points, triangles, 1.5).cut_handles == 1);
+  CHECK(test::topology_of(soup_of(points, triangles)).boundary_edges ==
+        test::topology_of(open).boundary_edges);
 }
 
-TEST_CASE("Nothing is cut at what is fixed") {
+TEST_CASE("A size that is no length is refused, and the soup unchanged") {
   const Soup input = two_tunnels();
-  std::vector<unsigned char> is_fixed(input.points.size());
-  for (std::size_t v = 0; v < is_fixed.size(); ++v) {
-    const Position& p = input.points[v];
-    is_fixed[v] = p[0] >= 4 && p[0] <= 5 && p[1] >= 4 && p[1] <= 5;
-  }
-  const auto [result, report] =
-      simplified(input, FaceCount{60}, SimplifiedTopology{1.5},
-                 CGAL::parameters::vertex_is_constrained_map(CGAL::make_property_map(is_fixed)));
-  CHECK(report.cut_handles == 0);
-  CHECK(test::topology_of(result).genus() == 2);
-}
-
-TEST_CASE("Maps name the points of the input, and added points come behind them") {
-  const Soup input = two_tunnels();
-  PointSoup soup(input);
-  std::vector<std::size_t> image(input.points.size(), 0);
-  const Report report =
-      simplify(soup.points, soup.triangles, FaceCount{24}, SimplifiedTopology{1.5},
-               parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
-  CHECK(report.cut_handles == 1);
-  std::vector<bool> is_named(soup.points.size());
-  for (const std::size_t v : image)
-    is_named.at(v) = true;
-  std::size_t added = 0;
-  for (const bool is : is_named)
-    added += !is;
-  CHECK(added <= 3);
-}
-
-TEST_CASE("The map of faces names those of the input, and not those of cuts") {
-  const Soup input = two_tunnels();
-  PointSoup soup(input);
-  std::vector<std::size_t> faces(input.triangles.size() + 8, 7777);
-  const Report report =
-      simplify(soup.points, soup.triangles, FaceCount{24}, SimplifiedTopology{1.5},
-               parameters::face_to_face_map(CGAL::make_property_map(faces)));
-  CHECK(report.cut_handles == 1);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    CHECK((faces[f] == 7777) == (f >= input.triangles.size()));
-}
-
-TEST_CASE("Edges are counted with those of cuts") {
-  const auto [result, report] = simplified(two_tunnels(), EdgeCount{36}, SimplifiedTopology{1.5});
-  CHECK(report.cut_handles == 1);
-  CHECK(test::topology_of(result).edges == 36);
-}
-
-TEST_CASE("Simplified topology goes with what knows its faces") {
-  const Soup input = two_tunnels();
-  const auto complaint = [&](const auto&... arguments) -> std::string {
-    PointSoup soup(input);
-    try {
-      simplify(soup.points, soup.triangles, SimplifiedTopology{1}, arguments...);
-    } catch (const std::invalid_argument& error) {
-      CHECK(test::is_identical(soup_of(soup), input));
-      return error.what();
-    }
-    return "";
-  };
-  CHECK(complaint() == "");
-  CHECK_THAT(complaint(Topology::free), Catch::Contains("does not go with Topology::free"));
-  CHECK_THAT(complaint(ThresholdPairs(1)), Catch::Contains("pairs that are not edges"));
-  CHECK_THAT(complaint(DistanceLimit(1)), Catch::Contains("needs distances"));
-  CHECK_THAT(complaint(NoSelfIntersection{}), Catch::Contains("a guard"));
-  Levels levels;
-  CHECK_THAT(complaint(record_into(levels)), Catch::Contains("a recorder"));
-  std::vector<int> labels(input.triangles.size());
-  CHECK_THAT(complaint(Labels{CGAL::make_property_map(labels)}), Catch::Contains("labels"));
+  Points points = arrays_of(input);
+  std::vector<test::Triangle> triangles = input.triangles;
   for (const double size : {-1., std::numeric_limits<double>::infinity()})
-    CHECK_THROWS_WITH(simplified(input, SimplifiedTopology{size}), Catch::Contains("is no length"));
-}
-
-TEST_CASE("Arrays that cannot grow have room for what is cut, or throw") {
-  const Soup input = two_tunnels();
-  std::vector<double> points;
-  std::vector<std::uint32_t> triangles;
-  for (const Position& p : input.points)
-    points.insert(points.end(), p.coordinates.begin(), p.coordinates.end());
-  for (const auto& t : input.triangles)
-    triangles.insert(triangles.end(), t.begin(), t.end());
-  const Report report =
-      simplify(std::span(points), std::span(triangles), FaceCount{24}, SimplifiedTopology{1.5});
-  CHECK(report.cut_handles == 1);
-  CHECK(report.faces_after == 24);
+    CHECK_THROWS_WITH(cut_handles(points, triangles, size), Catch::Contains("is no length"));
+  CHECK(test::is_identical(soup_of(points, triangles), input));
 }

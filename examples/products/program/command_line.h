@@ -179,13 +179,13 @@ inline void require_consistency(const Options& options) {
             "the topology");
   reject_if(options.cuts_handles() && (options.promises() || !options.record.empty()),
             "--cut-handles does not go with --error, --tolerance, --no-self-intersection, --solid, "
-            "--normals or --record: nothing is promised of the faces of a cut");
+            "--normals or --record: nothing is promised of the faces that close a cut");
   reject_if(options.is_manifold && topology(options) == quadrille::Topology::free,
             "--manifold does not go with --topology free or --pairs: these make edges of more than "
             "two faces");
   reject_if((options.cuts_handles() || options.is_manifold) &&
                 is_gltf(extension_of(options.input, options)),
-            "--cut-handles and --manifold do not go with glTF: its meshes have channels");
+            "--cut-handles and --manifold do not go with glTF: its meshes are split at seams");
   reject_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
                                        options.cost == "thin-features"),
             "--crease goes with --cost quadric, color and texture only");

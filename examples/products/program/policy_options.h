@@ -150,8 +150,7 @@ inline void add_topology(CLI::App& app, Options& options) {
          "--cut-handles,--simplified-topology",
          [&](const std::string& word) { options.handles = amount_of(word); },
          "tunnels and handles no wider than this, in units of IN or, with %, in parts of the "
-         "diagonal, are cut and closed where that is the cheapest step; the rest of the topology "
-         "is kept")
+         "diagonal, are cut first and closed there; the rest of the topology is kept")
       ->check(distance())
       ->type_name("SIZE|SIZE%")
       ->group("Policies");

@@ -106,7 +106,8 @@ inline void set_number(Options& options, std::string_view name, double value) {
       set("normal_flip", &Options::normal_flip) ||
       set("normal_deviation", &Options::normal_deviation) ||
       set("no_self_intersection", &Options::no_self_intersection) ||
-      set("keep_solid", &Options::keep_solid) ||
+      set("keep_solid", &Options::keep_solid) || set("manifold", &Options::manifold) ||
+      set("simplified_topology", &Options::simplified_topology) ||
       set("region_boundary_weight", &Options::region_boundary_weight) ||
       set("split_vertices", &Options::split_vertices) || set("share", &Options::share) ||
       set("refresh", &Options::refresh);

@@ -13,7 +13,6 @@
 #include <quadrille/placement.h>
 #include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/simplified_topology.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
@@ -124,12 +123,6 @@ inline std::optional<ThresholdPairs> pairs_of(const SoupOptions& options) {
   return ThresholdPairs(*options.pairs_closer_than);
 }
 
-inline std::optional<SimplifiedTopology> simplified_topology_of(const SoupOptions& options) {
-  if (!options.simplified_topology)
-    return std::nullopt;
-  return SimplifiedTopology{*options.simplified_topology};
-}
-
 inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
   if (!options.bounding_box)
     return std::nullopt;
@@ -203,7 +196,7 @@ Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, c
   const auto simplify_soup = [&](const auto&... rest) {
     return simplify(run.points, run.triangles, cost, placement, pairs_of(options), stop_of(options),
                     order, NormalFlip(options.normal_flip), policy_of<SoupFilter>(options.allows),
-                    options.topology, simplified_topology_of(options), normal_deviation_of(options),
+                    options.topology, normal_deviation_of(options),
                     no_self_intersection_of(options), keep_solid_of(options),
                     record_into_given(recorder), more..., rest...);
   };

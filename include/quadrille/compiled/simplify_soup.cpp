@@ -2,6 +2,7 @@
 #define QUADRILLE_WITH_COMPILED
 
 #include <quadrille/compiled.h>
+#include <quadrille/compiled/prepared_soup.h>
 #include <quadrille/compiled/run_soup.h>
 #include <quadrille/compiled/soup_channel_map.h>
 #include <quadrille/compiled/soup_run.h>
@@ -88,6 +89,12 @@ SoupChannel unchanged_channel(const SoupChannelView& channel, bool has_values) {
 SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
                               const std::function<Report(SoupRun&)>& simplify) {
   validate_call(soup, options);
+  if (internal::has_preparation(options)) {
+    const internal::PreparedSoup prepared(soup, options);
+    SoupResult result = run_soup(prepared.view(), prepared.options(), simplify);
+    prepared.restore(result);
+    return result;
+  }
   const bool has_values = !soup.triangles.empty();
   const SoupView bare{soup.points, soup.triangles, {}, {}};
   SoupRun run{has_values ? soup : bare,

@@ -101,6 +101,8 @@ class Options:
     threads = 1
     pairs_closer_than: Any = None
     topology: Any = None
+    manifold = False
+    simplified_topology: Any = None
     normal_flip = 90.0
     normal_deviation: Any = None
     no_self_intersection = False

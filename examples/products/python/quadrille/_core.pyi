@@ -85,6 +85,8 @@ class Options:
     threads: int
     pairs_closer_than: Optional[float]
     topology: Optional[Topology]
+    manifold: bool
+    simplified_topology: Optional[float]
     normal_flip: float
     normal_deviation: Optional[float]
     no_self_intersection: bool

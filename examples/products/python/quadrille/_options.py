@@ -39,6 +39,8 @@ def make_options(
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
     topology: Optional[TopologyName] = None,
+    manifold: bool = False,
+    simplified_topology: Optional[float] = None,
     pairs_closer_than: Optional[float] = None,
     normal_flip: float = 90.0,
     normal_deviation: Optional[float] = None,
@@ -53,7 +55,8 @@ def make_options(
         if count is not None:
             setattr(options, name, read_count(name, count))
     for name, number in (("ratio", ratio), ("error", error), ("relative_error", relative_error),
-                         ("pairs_closer_than", pairs_closer_than), ("normal_deviation", normal_deviation)):
+                         ("pairs_closer_than", pairs_closer_than), ("normal_deviation", normal_deviation),
+                         ("simplified_topology", simplified_topology)):
         if number is not None:
             setattr(options, name, read_number(name, number))
     if target_reduction is not None:
@@ -78,6 +81,7 @@ def make_options(
     options.refresh = bool(refresh)
     options.no_self_intersection = bool(no_self_intersection)
     options.keep_solid = bool(keep_solid)
+    options.manifold = bool(manifold)
     return options
 
 

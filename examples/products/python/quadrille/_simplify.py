@@ -47,6 +47,8 @@ def simplify(
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
     topology: Optional[TopologyName] = None,
+    manifold: bool = False,
+    simplified_topology: Optional[float] = None,
     pairs_closer_than: Optional[float] = None,
     normal_flip: float = 90.0,
     normal_deviation: Optional[float] = None,
@@ -132,6 +134,10 @@ def simplify(
     position_noise   the standard deviation of points, in their unit
     topology         'kept' (the default), 'free' (components join, holes close) or 'components_may_vanish' (small
                      components may be removed)
+    manifold         first cuts the surface into manifold sheets, at edges of more than two faces and where
+                     sheets touch
+    simplified_topology  first cuts tunnels and handles up to this width, in the unit of the points, and closes
+                     the surface there; Report.cut_handles counts them
     pairs_closer_than  points closer than this may be joined without an edge, in the unit of the points;
                      the topology then defaults to 'free'
     normal_flip      no single contraction turns a face by this many degrees or more, in (0, 180]
@@ -197,7 +203,8 @@ def simplify(
         placement=placement, order=order, threads=threads, boundary_weight=boundary_weight,
         crease_degrees=crease_degrees, crease_weight=crease_weight, weighting=weighting,
         line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
-        topology=topology, pairs_closer_than=pairs_closer_than, normal_flip=normal_flip,
+        topology=topology, manifold=manifold, simplified_topology=simplified_topology,
+        pairs_closer_than=pairs_closer_than, normal_flip=normal_flip,
         normal_deviation=normal_deviation, no_self_intersection=no_self_intersection,
         keep_solid=keep_solid, share=share, refresh=refresh)
     functions = Functions(cost if callable(cost) else None, function_of("filter", filter),

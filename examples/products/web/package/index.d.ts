@@ -95,6 +95,10 @@ export interface Options {
   noSelfIntersection?: boolean;
   /** A closed solid stays one; the input has to be one. */
   keepSolid?: boolean;
+  /** First cuts the surface into manifold sheets, at edges of more than two faces and where sheets touch. */
+  manifold?: boolean;
+  /** First cuts tunnels and handles up to this width, in the unit of the points, and closes the surface there. */
+  simplifiedTopology?: number;
   /** Points that stay in place: bytes are a mask with one for each point, wider integers are indices. */
   fixed?: Integers;
   /** Triangles to simplify, in the same form; targets count only these. */

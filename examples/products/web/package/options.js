@@ -19,9 +19,10 @@ const numbers = [
   "normalFlip",
   "normalDeviation",
   "regionBoundaryWeight",
+  "simplifiedTopology",
   "share",
 ];
-const booleans = ["bothWays", "noSelfIntersection", "keepSolid", "splitVertices", "refresh"];
+const booleans = ["bothWays", "noSelfIntersection", "keepSolid", "manifold", "splitVertices", "refresh"];
 const choices = ["cost", "placement", "order", "topology", "weighting"];
 const masks = ["fixed", "selected"];
 const arrays = ["tolerance", "importance"];

@@ -42,11 +42,6 @@ public:
 
   std::size_t input_vertex_count() const { return input_.positions.size(); }
   std::size_t input_face_count() const { return input_.triangles.size(); }
-  /// No vertex or face is the copy of another one.
-  std::size_t original_vertex_count() const { return input_vertex_count(); }
-  std::size_t original_face_count() const { return input_face_count(); }
-  Index original_vertex(Index input) const { return input; }
-  Index original_face(Index input) const { return input; }
   const Array<Index>& input_vertices() const { return vertices_; }
   Array<Index> input_faces() const {
     Array<Index> inputs;

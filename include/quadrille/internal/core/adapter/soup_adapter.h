@@ -33,7 +33,6 @@ template <class Points, class Triangles, class PointMap, class Attributes, class
 class SoupAdapter {
 public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
-  static constexpr bool adds_faces = true; ///< SimplifiedTopology may add some
   using Input = InputOf<dimension, has_channels_in<Maps>>;
   using Point = typename boost::property_traits<PointMap>::value_type;
 
@@ -79,14 +78,13 @@ public:
   /// soup stays as it was. It calls `reporter` as described for Reporter.
   template <class Result, class AnyReporter>
   std::size_t write(const Result& result, AnyReporter reporter) {
-    const Array<Index> inputs = result.input_vertices();
-    const Array<Index> vertices = vertices_in_order(inputs, result);
     auto points = empty_like(points_);
-    const auto origin = [&](auto i) { return result.original_vertex(inputs[vertices[i]]); };
+    const Array<Index> inputs = result.input_vertices();
+    const Array<Index> vertices = in_order(inputs, result.input_vertex_count());
     const Array<Index> new_index = places(vertices, vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       reporter.vertex(i, vertices[i], result);
-      points.push_back(points_[origin(i)]);
+      points.push_back(points_[inputs[vertices[i]]]);
     }
     if constexpr (AnyReporter::asks_for_vertex_map)
       report_vertex_map(result, places(inputs, result.input_vertex_count()), new_index, reporter);
@@ -95,7 +93,7 @@ public:
     const Array<Index> faces = ordered_faces(result, input_faces, reporter);
     for (Index face : faces)
       triangles.push_back(renumbered(
-          triangles_[result.original_face(input_faces[face])],
+          triangles_[input_faces[face]],
           [&, corners = result.corners(face)](std::size_t i) { return new_index[corners[i]]; }));
     auto channels = channels_.rewritten(result, faces);
     const auto values = channels_.values(result, vertices, inputs);
@@ -104,7 +102,8 @@ public:
     try {
       move_points(result, vertices, points, undo);
       put_in_place(
-          points_, points, origin, triangles_, triangles,
+          points_, points, [&](std::size_t i) { return inputs[vertices[i]]; }, triangles_,
+          triangles,
           [&] {
             write_attributes(attributes, undo);
             labels_.write(faces, input_faces);
@@ -143,26 +142,11 @@ private:
   template <class Result, class AnyReporter>
   static void report_vertex_map(const Result& result, const Array<Index>& numbers,
                                 const Array<Index>& new_index, AnyReporter& reporter) {
-    for (Index input = 0; input < result.original_vertex_count(); ++input) {
+    for (Index input = 0; input < numbers.size(); ++input) {
       const Index number = numbers[result.merged_vertex(input)];
       reporter.map_vertex(std::size_t{input},
                           number == none ? parameters::vanished : std::size_t{new_index[number]});
     }
-  }
-
-  // The vertices that are left, by their inputs. Throws if arrays have no room for them: a result
-  // has more points or triangles than its input only where hardly anything but cuts was done.
-  template <class Result>
-  Array<Index> vertices_in_order(const Array<Index>& inputs, const Result& result) const {
-    constexpr bool can_grow = requires(Points & points, Triangles & triangles) {
-      points.push_back(points[0]);
-      triangles.push_back(triangles[0]);
-    };
-    if (!can_grow && (inputs.size() > result.original_vertex_count() ||
-                      result.input_faces().size() > result.original_face_count()))
-      throw std::length_error("quadrille::simplify: SimplifiedTopology has added more than "
-                              "contractions have removed, for which these arrays have no room");
-    return in_order(inputs, result.input_vertex_count());
   }
 
   Vector<dimension> read_position(std::size_t v) {
@@ -190,7 +174,7 @@ private:
     std::vector<AttributeValue<Attributes>> left;
     if constexpr (Attributes::size > 0)
       for (Index v : vertices) {
-        const auto old = attributes_.raw(std::size_t{result.original_vertex(inputs[v])});
+        const auto old = attributes_.raw(std::size_t{inputs[v]});
         left.push_back(
             result.is_moved(v) ? attributes_.changed(old, attributes_of(result.position(v))) : old);
       }

@@ -29,7 +29,7 @@ inline Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {
 }
 
 /// Returns the faces of a result in the order of their inputs, and reports which of them each face
-/// of the input has become. The faces of cuts are none of these.
+/// of the input has become.
 template <class Result, class AnyReporter>
 Array<Index> ordered_faces(const Result& result, const Array<Index>& inputs,
                            AnyReporter& reporter) {
@@ -38,7 +38,7 @@ Array<Index> ordered_faces(const Result& result, const Array<Index>& inputs,
     std::vector<std::size_t> map(result.input_face_count(), parameters::vanished);
     for (std::size_t f = 0; f < faces.size(); ++f)
       map[inputs[faces[f]]] = f;
-    for (std::size_t input = 0; input < result.original_face_count(); ++input)
+    for (std::size_t input = 0; input < result.input_face_count(); ++input)
       reporter.map_face(input, map[input]);
   }
   return faces;

@@ -44,7 +44,6 @@ enum class Kind {
   order,
   filter,
   topology,
-  handles,
   labels,
   channel,
   split_vertices,
@@ -104,8 +103,6 @@ constexpr Kind kind_of() {
     return Kind::named_parameters;
   else if constexpr (std::same_as<T, Topology>)
     return Kind::topology;
-  else if constexpr (std::same_as<T, SimplifiedTopology>)
-    return Kind::handles;
   else if constexpr (is_labels<T>)
     return Kind::labels;
   else if constexpr (is_channel<T>)
@@ -142,21 +139,13 @@ concept HasDistanceHeader = requires {
   sizeof(std::conditional_t<std::is_void_v<Policies>, Policies, DistanceHeader>);
 };
 
-/// Is there a recorder among the arguments, and a SimplifiedTopology?
-template <bool is_recorded_, bool cuts_handles_>
-struct OptionalKinds {
-  static constexpr bool is_recorded = is_recorded_, cuts_handles = cuts_handles_;
-};
-
 /// The optional functions that a call may need, according to its types.
-template <class Policies, class Stop, class Order, class Kinds>
+template <class Policies, class Stop, class Order, bool is_recorded>
 OptionalModules<Policies> optional_modules() {
   OptionalModules<Policies> modules;
-  if constexpr (Kinds::cuts_handles)
-    modules.make_cutter = &make_cutter<Policies>;
   if constexpr (!std::same_as<Order, GreedyOrder>)
     modules.run_passes = &run_passes<Policies>;
-  if constexpr (Kinds::is_recorded)
+  if constexpr (is_recorded)
     modules.make_recording = &make_recording<Policies>;
   if constexpr (needs_of<Stop>().distance) {
     static_assert(HasDistanceHeader<Policies>,
@@ -296,18 +285,6 @@ std::optional<Topology> pick_topology([[maybe_unused]] const Arguments&... argum
     return std::nullopt;
 }
 
-/// The width up to which a call cuts handles, if it does.
-template <class Cost, class... Arguments>
-std::optional<double> pick_handles([[maybe_unused]] const Arguments&... arguments) {
-  std::optional<double> width;
-  if constexpr (count_of < Kind::handles, Cost, Arguments... >> 0)
-    if_given(pick<Kind::handles, Cost, NotGiven>(arguments...), [&](const auto& given) {
-      validate(given);
-      width = given.size;
-    });
-  return width;
-}
-
 /// Rejects, at compile time, a call with two arguments where one is meant.
 template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
 constexpr void check_counts() {
@@ -334,19 +311,8 @@ constexpr void check_counts() {
                 "simplify takes one recorder: pass record_into only once.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
-  static_assert(count_of<Kind::handles, Cost, Arguments...> <= 1,
-                "simplify takes one SimplifiedTopology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
                 "simplify takes one chain of named parameters: join them with a dot.");
-}
-
-/// Rejects, at compile time, a call for a mesh with an argument that is for soups.
-template <class Cost, class... Arguments>
-constexpr void check_mesh_arguments() {
-  static_assert(count_of<Kind::handles, Cost, Arguments...> == 0,
-                "SimplifiedTopology is for soups, since it adds vertices and faces: read the mesh "
-                "into points and triangles, by CGAL::Polygon_mesh_processing::"
-                "polygon_mesh_to_polygon_soup, and simplify these.");
 }
 
 inline namespace QUADRILLE_THREADING {
@@ -375,16 +341,11 @@ constexpr void check_guards() {
                 "Leave RelaxedOrder out.");
 }
 
-/// The policies of a call with a cost, a placement, and what it carries in addition to the shape.
-template <class Cost, class Placement, class Carried>
-using PoliciesOf =
-    Policies<std::remove_const_t<Cost>, EnginePlacement<std::remove_const_t<Placement>>,
-             std::remove_const_t<Carried>::has_channels>;
-
 /// All policies of a call, checked for fitting together. Cost and placement may be template
 /// arguments, or NotGiven.
 template <class CostArgument, class PlacementArgument, class... Arguments>
 auto pick_policies(const Arguments&... arguments) {
+  using CGAL::parameters::get_parameter;
   using Cost = CostOf<CostArgument, Arguments...>;
   check_counts<CostArgument, PlacementArgument, Cost, Arguments...>();
   const auto placement =
@@ -401,9 +362,10 @@ auto pick_policies(const Arguments&... arguments) {
   const auto guards = pick_guards<Cost>(arguments...);
   guards.require_greedy_order(order.passes.has_value());
   const auto carried = pick_carried<Cost>(arguments...);
-  using Policies = PoliciesOf<decltype(cost), decltype(placement), decltype(carried)>;
-  using Optional = OptionalKinds<count_of<Kind::recorder, Cost, Arguments...> == 1,
-                                 count_of<Kind::handles, Cost, Arguments...> == 1>;
+  using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
+                                      EnginePlacement<std::remove_const_t<decltype(placement)>>,
+                                      std::remove_const_t<decltype(carried)>::has_channels>;
+  constexpr bool is_recorded = count_of<Kind::recorder, Cost, Arguments...> == 1;
   Policies policies{
       cost,
       typename Policies::Placement(placement),
@@ -411,16 +373,14 @@ auto pick_policies(const Arguments&... arguments) {
       use_or_default<EdgePairs>(pairs, [](const auto& given) { return PairSource::of(given); }),
       use_or_default<FaceRatio>(stop, [](const auto& given) { return StopRule::of(given); }),
       order,
-      store_visitor(
-          CGAL::parameters::get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
+      store_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       threads_here(order.threads()),
       pick_recorder<Cost>(arguments...),
       guards.topology_with(pick_topology<Cost>(arguments...)),
-      pick_handles<Cost>(arguments...),
       pick_filters<Cost>(arguments...),
       guards,
       optional_modules<Policies, Contained<decltype(stop)>, Contained<decltype(given_order)>,
-                       Optional>()};
+                       is_recorded>()};
   policies.threads.validate();
   return policies;
 }

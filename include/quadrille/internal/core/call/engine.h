@@ -9,13 +9,11 @@
 #include <quadrille/internal/core/order/greedy_loop.h>
 #include <quadrille/internal/core/policy/orders.h>
 #include <quadrille/internal/core/policy/stop_rule.h>
-#include <quadrille/pairs.h>
 #include <quadrille/report.h>
 
 #include <chrono>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace quadrille::internal {
@@ -65,34 +63,12 @@ void check_tolerances(const Input& input, const StopRule& stop, bool have_faces)
                                 "vertex_tolerance_map: pass ToleranceLimit as stop policy");
 }
 
-/// Throws if handles are to be cut, and the call has what cuts do not know.
-template <class Input, class Policies>
-void check_cuts(const Input& input, const Policies& policies) {
-  if (!policies.widest_handle)
-    return;
-  const auto reject_if = [](bool is_there, const char* what) {
-    if (is_there)
-      throw std::invalid_argument(
-          std::string("quadrille::simplify: SimplifiedTopology does not go with ") + what);
-  };
-  reject_if(policies.topology == Topology::free, "Topology::free, which cuts nothing");
-  reject_if(policies.pairs.selects() || !policies.pairs.includes_edges(),
-            "pairs that are not edges");
-  reject_if(policies.stop.needs().distance,
-            "a stop policy that needs distances: the faces of a cut have none");
-  reject_if(!policies.guards.empty(), "a guard: it does not know the faces of a cut");
-  reject_if(policies.recorder.has_value(), "a recorder, which receives contractions only");
-  reject_if(Policies::has_channels || !input.labels.empty(),
-            "channels and labels: the faces of a cut have none");
-}
-
 /// The surface once pairs have been contracted; nothing if the visitor cancels before the first.
 template <class Policies>
 std::optional<typename ResultOf<Policies>::Finished>
 contract_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
                const Policies& policies, bool keeps_states, Report& report, StopWatch& watch) {
   check_tolerances(input, policies.stop, policies.optional.greatest_tolerance.has_value());
-  check_cuts(input, policies);
   const auto own_box = input.box();
   const auto box = box_of_units(input, own_box);
   if (policies.pairs.ignores_indices())

@@ -9,7 +9,6 @@
 #include <quadrille/report.h>
 
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 
 namespace quadrille::internal {
@@ -62,10 +61,6 @@ template <class Adapter, class Policies, class Read, class AnyReporter>
 Report run_here(Adapter& adapter, const Policies& policies, Read read, AnyReporter reporter) {
   StopWatch watch;
   Report report;
-  if constexpr (!requires { Adapter::adds_faces; })
-    if (policies.widest_handle)
-      throw std::invalid_argument("quadrille::simplify: SimplifiedTopology is for soups whose "
-                                  "points are not split, in memory as a whole");
   auto input = read(adapter);
   report.faces_before = input.triangles.size();
   report.vertices_before = input.positions.size();

@@ -10,11 +10,8 @@
 #include <quadrille/internal/core/memory/packing.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <span>
 #include <utility>
-#include <vector>
 
 /// \file
 /// A triangle complex builds its lists here, and reserves places after those of high-valence
@@ -92,53 +89,6 @@ inline void TriangleComplex::pack(const Array<Index>& vertices) {
       ++lists_[v].size;
     }
   lists_.resize(vertices.size());
-}
-
-inline Index TriangleComplex::add_vertex() {
-  check_size(lists_.size() + 1, 0);
-  append_row(lists_, {static_cast<Index>(pool_.size()), 0});
-  high_valence_vertices_.add_vertex();
-  return static_cast<Index>(lists_.size() - 1);
-}
-
-inline void TriangleComplex::append_corners(Index vertex, std::span<const Index> corners) {
-  const List old = lists_[vertex];
-  const std::size_t begin = pool_.size();
-  for (Index i = 0; i < old.size; ++i)
-    pool_.push_back(pool_[old.begin + i]);
-  pool_.insert(pool_.end(), corners.begin(), corners.end());
-  lists_[vertex] = {static_cast<Index>(begin), static_cast<Index>(pool_.size() - begin)};
-}
-
-inline void TriangleComplex::give_faces(Index from, Index to, std::span<const Index> faces) {
-  reserve_corners(lists_[to].size + faces.size()); // lists may be rebuilt: by faces as they are
-  std::vector<Index> corners;
-  for (Index face : faces) {
-    const auto place = std::find(faces_[face].begin(), faces_[face].end(), from);
-    *place = to;
-    corners.push_back(4 * face + static_cast<Index>(place - faces_[face].begin()));
-  }
-  append_corners(to, corners);
-  List& list = lists_[from];
-  Index* const first = pool_.data() + list.begin;
-  const Index* const last = std::remove_if(first, first + list.size, [&](Index corner) {
-    return faces_[corner >> 2][corner & 3] != from;
-  });
-  list.size = static_cast<Index>(last - first);
-}
-
-inline Index TriangleComplex::add_face(const Triangle& vertices) {
-  check_size(0, faces_.size() + 1);
-  std::size_t corners = 3;
-  for (Index v : vertices)
-    corners += lists_[v].size;
-  reserve_corners(corners);
-  const auto face = static_cast<Index>(faces_.size());
-  append_row(faces_, vertices);
-  reverse_faces_.add_face();
-  for (Index i = 0; i < 3; ++i)
-    append_corners(vertices[i], std::array{4 * face + i});
-  return face;
 }
 
 inline bool TriangleComplex::has_room_after(Index high_valence, std::size_t corners) const {

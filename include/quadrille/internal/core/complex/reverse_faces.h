@@ -42,12 +42,6 @@ public:
     return count;
   }
 
-  /// There is a face more, without a reverse face.
-  void add_face() {
-    if (!is_empty())
-      append_row(of_, none);
-  }
-
   /// Leaves out those of faces for which is_left(face) is false.
   template <class IsLeft>
   void pack_if(IsLeft is_left) {

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -52,11 +51,6 @@ public:
     vertices_.clear();
     for (Index v = 0; v < lists.size(); ++v)
       note(v, lists[v].size, lists.size());
-  }
-  /// There is a vertex more, which is none.
-  void add_vertex() {
-    if (any())
-      is_high_valence_.push_back(0);
   }
   /// Notes how many faces a vertex has now, of a surface of `vertices` vertices.
   void note(Index v, std::size_t faces, std::size_t vertices) {
@@ -274,13 +268,6 @@ public:
     high_valence_vertices_.note(kept, lists_[kept].size, lists_.size());
   }
 
-  /// Adds a vertex that has no faces yet. Whoever has a value for each vertex needs one more.
-  Index add_vertex();
-  /// Moves some faces of a vertex to another one.
-  void give_faces(Index from, Index to, std::span<const Index> faces);
-  /// Adds a face, which enters the lists of its vertices at once.
-  Index add_face(const Triangle& vertices);
-
   /// Relabels faces, which enter the list of `kept` only when build_lists() is called. Writes to
   /// nothing but these faces and the list of `gone`.
   void relabel(Index kept, Index gone) {
@@ -355,9 +342,6 @@ private:
   }
 
   bool are_lists_right() const;
-
-  // At the end of the pool, where there is room.
-  void append_corners(Index vertex, std::span<const Index> corners);
 
   // Is there room after the list of a high-valence vertex for so many corners?
   bool has_room_after(Index high_valence, std::size_t corners) const;

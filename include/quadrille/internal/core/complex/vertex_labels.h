@@ -17,8 +17,6 @@ public:
   explicit VertexLabels(std::size_t vertices, Arena* arena = nullptr)
       : label_(vertices, 0, arena) {}
 
-  std::size_t size() const { return label_.size(); } ///< how many vertices
-
   /// Forgets all labels. The next ones are below `numbers`, at most 2³¹.
   void clear(std::size_t numbers = 1) {
     base_ = end_;
@@ -37,19 +35,9 @@ public:
     label_[vertex] = (std::max)(label_[vertex], base_);
     return is_new;
   }
-  /// Labels a vertex with a number; false, and no more, if it had a label before.
-  bool insert_as(Index vertex, Index number) {
-    const bool is_new = label_[vertex] < base_;
-    if (is_new)
-      set(vertex, number);
-    return is_new;
-  }
   /// The label of a labelled vertex.
   Index operator[](Index vertex) const { return label_[vertex] - base_; }
   void set(Index vertex, Index number = 0) { label_[vertex] = base_ + number; }
-
-  /// There is a vertex more, which has none.
-  void add_vertex() { append_row(label_, Index{0}); }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&label_[vertex]); }
 

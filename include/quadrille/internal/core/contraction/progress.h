@@ -54,8 +54,6 @@ public:
     total_.doubled_faces += counters.doubled_faces;
     total_.doubled_labels += counters.doubled_labels;
     total_.vanished_components += counters.vanished_components;
-    total_.cut_handles += counters.cut_handles;
-    total_.split_components += counters.split_components;
     total_.error = (std::max)(total_.error, counters.error);
     total_.vanished_size = (std::max)(total_.vanished_size, counters.vanished_size);
     total_.moved += counters.moved;
@@ -102,8 +100,6 @@ public:
     report.doubled_faces = total_.doubled_faces;
     report.doubled_labels = total_.doubled_labels;
     report.vanished_components = total_.vanished_components;
-    report.cut_handles = total_.cut_handles;
-    report.split_components = total_.split_components;
     report.largest_vanished_component = total_.vanished_size;
     report.rejections = total_.rejections;
     report.error = total_.error;

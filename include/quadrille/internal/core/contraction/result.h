@@ -38,13 +38,6 @@ public:
   std::size_t input_vertex_count() const { return surface_.numbering.vertices.input_count(); }
   std::size_t input_face_count() const { return surface_.numbering.faces.input_count(); }
 
-  /// How many of these the user knows. The others are copies of such, which cuts made.
-  std::size_t original_vertex_count() const { return surface_.numbering.vertices.original_count(); }
-  std::size_t original_face_count() const { return surface_.numbering.faces.original_count(); }
-  /// Returns the input index of which another one is a copy: itself, if it is none.
-  Index original_vertex(Index input) const { return surface_.numbering.vertices.original(input); }
-  Index original_face(Index input) const { return surface_.numbering.faces.original(input); }
-
   /// The input indices of those that are left.
   Array<Index> input_vertices() const { return surface_.numbering.vertices.of(vertices_); }
   Array<Index> input_faces() const {

@@ -162,11 +162,6 @@ public:
     if (is_asked_) [[unlikely]]
       count(event.contraction.star(), event.contraction.second(), event.contraction.scratch());
   }
-  /// Edges have been added.
-  void add(std::size_t edges) {
-    if (is_asked_)
-      scratch_.counters.edges -= edges;
-  }
   void vanished(const ComponentEvent& event) {
     if (is_asked_)
       scratch_.counters.edges += count_edges(complex_, event.faces);
@@ -253,11 +248,6 @@ public:
     const double error = event.feature_loss.error;
     event.contraction.scratch().counters.count_contraction(
         error, displacement_of(event.contraction, error));
-  }
-  /// The surface has been cut: see Counters::count_cut().
-  void count_cut(double error, bool components) {
-    edges_.add(3);
-    scratch_.counters.count_cut(error, components);
   }
   void vanished(const ComponentEvent& event) {
     recording_.vanished(event);

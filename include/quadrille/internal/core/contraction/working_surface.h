@@ -4,7 +4,6 @@
 #include <quadrille/internal/core/base/assert.h>
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/threads.h>
-#include <quadrille/internal/core/complex/edge_cycle.h>
 #include <quadrille/internal/core/complex/topology_count.h>
 #include <quadrille/internal/core/contraction/checks.h>
 #include <quadrille/internal/core/contraction/contraction_count.h>
@@ -24,7 +23,6 @@
 #include <quadrille/report.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -137,25 +135,6 @@ public:
   void remove_component(Index component, std::span<const Index> vertices) {
     internal::remove_component(complex(), vertices, state_.components[component], observers(*this),
                                scratch().counters);
-  }
-
-  /// Cuts the surface along a cycle of three edges and closes both sides, each by a face. The first
-  /// side keeps the vertices of the cycle, the second gets copies of them, which are returned.
-  std::array<Index, 3> cut(const EdgeCycle& cycle,
-                           const std::array<std::vector<Index>, 3>& second) {
-    std::array<Index, 3> copies{};
-    for (std::size_t i = 0; i < 3; ++i)
-      copies[i] = state_.copy_vertex(cycle[i], array_owners(*this));
-    for (std::size_t i = 0; i < 3; ++i)
-      complex().give_faces(cycle[i], copies[i], second[i]);
-    state_.add_face({cycle[0], cycle[2], cycle[1]}, second[0].front());
-    state_.add_face(copies, second[0].front());
-    for (const EdgeCycle& side : {cycle, copies})
-      for (Index v : side) {
-        state_.geometry.measure_ring_radius(complex(), v);
-        evaluator_.sum_up_cut(v);
-      }
-    return copies;
   }
 
   /// Accumulates the current surface in the states of vertices instead of the earlier one, if

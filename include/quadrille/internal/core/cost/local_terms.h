@@ -128,12 +128,6 @@ public:
       add_boundary(high_valence, labels);
   }
 
-  /// The faces of a vertex inside the surface are others.
-  void sum_up_cut(Index v) {
-    last_star_.clear();
-    terms_[v] = sum_of_faces(v);
-  }
-
 private:
   // The other end has fewer faces, as a rule.
   QUADRILLE_NOINLINE Current shared_with_high_valence(Index high_valence, Index other) const {

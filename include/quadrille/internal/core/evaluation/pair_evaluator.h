@@ -56,11 +56,6 @@ public:
   /// high-valence vertex.
   void sum_up(VertexLabels& labels) { terms_.sum_up(labels); }
   void sum_up(Index high_valence, VertexLabels& labels) { terms_.sum_up(high_valence, labels); }
-  /// And for one at a cut.
-  void sum_up_cut(Index v) {
-    if constexpr (has_local_terms<Cost>)
-      terms_.sum_up_cut(v);
-  }
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
     if constexpr (has_local_terms<Cost>)

@@ -48,7 +48,7 @@ public:
 
 private:
   PairIndices indices(Index a, Index b) const {
-    return {numbering_.vertices.original_of(a), numbering_.vertices.original_of(b)};
+    return {numbering_.vertices[a], numbering_.vertices[b]};
   }
 
   const Numbering& numbering_;

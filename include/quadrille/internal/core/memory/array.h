@@ -203,15 +203,6 @@ using Array = std::vector<T, ArrayAllocator<T>>;
 template <class T>
 using SparseArray = std::vector<T, ArrayAllocator<T, false>>;
 
-/// Appends a value that comes unforeseen to an array as large as a surface: it grows by little at a
-/// time, but often enough by a part of its size.
-template <class Column>
-void append_row(Column& column, typename Column::value_type value) {
-  if (column.size() == column.capacity())
-    column.reserve(column.size() + column.size() / 16 + 16);
-  column.push_back(value);
-}
-
 /// An array whose new values are written before they are read, each by the thread that works on
 /// it.
 template <class T>

@@ -60,17 +60,6 @@ void pack_vertex_arrays(const std::tuple<Owner&...>& owners, const Array<Index>&
   std::apply([&](auto&... owner) { (pack_owner(owner), ...); }, owners);
 }
 
-/// Appends a copy of a vertex to the vertex arrays of all owners.
-template <class... Owner>
-void copy_row(const std::tuple<Owner&...>& owners, Index v) {
-  const auto copy = [v](auto& array) {
-    if (!array.empty())
-      append_row(array, array[v]);
-  };
-  const auto copy_all = [&copy](auto&... array) { (copy(array), ...); };
-  std::apply([&](auto&... owner) { (std::apply(copy_all, vertex_arrays_of(owner)), ...); }, owners);
-}
-
 /// Packs data of owners that are no vertex arrays: data of each face for which is_left(face) is
 /// false, by pack_if(is_left), or data of vertices and faces, by pack(left, is_left).
 template <class... Owner, class IsLeft>

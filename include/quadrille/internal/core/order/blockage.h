@@ -68,9 +68,8 @@ private:
   };
 
   bool counts_most() {
-    if (const auto vertices = surface_.complex().vertex_capacity();
-        !scratch_ || scratch_->labels.size() < vertices)
-      scratch_.emplace(vertices);
+    if (!scratch_)
+      scratch_.emplace(surface_.complex().vertex_capacity());
     const auto& geometry = surface_.evaluator().state().geometry;
     const bool has_unselected = surface_.progress().has_unselected();
     std::size_t edges = 0, blocked = 0;

@@ -32,8 +32,6 @@ public:
     found_.reserve(2 * many);
   }
 
-  /// There is a vertex more.
-  void add_vertex() { append_row(unevenness_, 0.0f); }
   /// The pairs of a vertex cost now what the queue says.
   void note(Index v, double unevenness) { unevenness_[v] = static_cast<float>(unevenness); }
   /// The faces around a vertex may have changed.
@@ -77,11 +75,6 @@ public:
       note(v);
   }
 
-  /// There is a vertex more.
-  void add_vertex() {
-    if constexpr (looks_for_flattened)
-      flattened_.add_vertex();
-  }
   /// The pairs of a vertex have just been costed.
   void note(Index v) {
     if constexpr (looks_for_flattened)

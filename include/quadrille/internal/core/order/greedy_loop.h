@@ -5,7 +5,6 @@
 #include <quadrille/internal/core/order/attempt.h>
 #include <quadrille/internal/core/order/blockage.h>
 #include <quadrille/internal/core/order/greedy_judge.h>
-#include <quadrille/internal/core/order/handle_cutter.h>
 #include <quadrille/internal/core/order/pair_queue.h>
 #include <quadrille/internal/core/order/pair_supply.h>
 #include <quadrille/internal/core/order/pair_updates.h>
@@ -16,7 +15,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <optional>
 
 namespace quadrille::internal {
@@ -35,8 +33,6 @@ public:
         judge_(surface, supply_, components_),
         updates_(surface, supply_.queue(), supply_.waiting()) {
     supply_.fill();
-    if (surface.policies().widest_handle)
-      cutter_ = surface.policies().optional.make_cutter({surface, updates_, components_});
   }
 
   /// Why it has ended.
@@ -86,32 +82,27 @@ private:
                    });
   }
 
-  // Returns the cheapest pair once all cheaper components have vanished and all cheaper handles are
-  // cut; none if the stop policy is satisfied by that.
+  // Returns the cheapest pair once all cheaper components have vanished; none if the stop policy is
+  // satisfied by that.
   std::optional<QueuedPair> cheapest_pair() {
     std::optional<QueuedPair> next = supply_.take();
-    for (;;) {
-      const double limit = next ? static_cast<double>(next->cost) : no_limit;
-      const bool may_vanish = components_.has_below(limit, supply_.is_last_resort());
-      if (!may_vanish && !may_cut_below(limit))
-        return next;
+    while (components_.has_below(next ? static_cast<double>(next->cost) : no_limit,
+                                 supply_.is_last_resort())) {
       if (next)
         supply_.queue().push_again(*next);
-      if (is_cancelled() || !(may_vanish ? vanish_next() : cutter_->cut_next()))
+      const auto is_end = [this] {
+        return judge_.end_of_run().is_here(supply_.waiting().blocked());
+      };
+      if (is_cancelled() ||
+          !components_.vanish_next([this](Index v) { updates_.forget(v); }, is_end))
         return std::nullopt;
       next = supply_.take();
     }
-  }
-  bool may_cut_below(double limit) { return cutter_ && cutter_->has_below(limit); }
-  bool vanish_next() {
-    const auto is_end = [this] { return judge_.end_of_run().is_here(supply_.waiting().blocked()); };
-    return components_.vanish_next([this](Index v) { updates_.forget(v); }, is_end);
+    return next;
   }
 
   void let_wait(const QueuedPair& pair, Rejection cause) {
     surface_.run().reject({pair.first, pair.second}, cause);
-    if (cutter_ && cause == Rejection::topology) [[unlikely]]
-      cutter_->look_at(pair.first, pair.second);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
     const auto* const guard = surface_.guards().with_obstacles(cause);
@@ -159,7 +150,6 @@ private:
   VanishingComponents<Policies> components_;
   GreedyJudge<Policies> judge_;
   PairUpdates<Policies> updates_;
-  std::unique_ptr<HandleCutter<Policies>> cutter_; // nothing where no handle is cut
   std::size_t pairs_seen_ = 0;
   bool has_met_distance_ = false, has_met_destruction_ = false;
 };

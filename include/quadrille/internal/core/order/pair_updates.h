@@ -13,7 +13,6 @@
 #include <quadrille/internal/core/state/contraction.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -46,29 +45,6 @@ public:
       update_around(contraction, kept);
     if (surface_.complex().high_valence_vertices().any())
       review_high_valence();
-  }
-
-  /// The surface has been cut at these vertices, of which the last three are new.
-  void follow_cut(const std::array<Index, 6>& vertices) {
-    for (std::size_t i = 3; i < vertices.size(); ++i) {
-      queue_.versions().add_vertex();
-      waiting_.add_vertex();
-      refresh_.add_vertex();
-    }
-    queue_.versions().advance();
-    for (Index v : vertices) {
-      queue_.versions().renew(v);
-      waiting_.forget(v);
-    }
-    for (auto v = vertices.begin(); v != vertices.end(); ++v) {
-      surface_.pairs().for_each(scratch_, *v, [&](Index partner, float key) {
-        if (std::find(vertices.begin(), v, partner) != v)
-          return; // it has been pushed from there
-        queue_.push(*v, partner, key);
-        waiting_.release(partner, push_again());
-      });
-      refresh_.note(*v);
-    }
   }
 
   /// All pairs of a vertex are outdated, for good.

@@ -59,17 +59,6 @@ public:
     return {vertices_.data() + begin_[component], size_[component]};
   }
   void count_vanished() { --left_; }
-  /// A component has one vertex more.
-  void add(Index component, Index v) {
-    if (begin_[component] + size_[component] !=
-        vertices_.size()) { // its list goes to where it can grow
-      const Index old = std::exchange(begin_[component], static_cast<Index>(vertices_.size()));
-      for (Index i = 0; i < size_[component]; ++i)
-        vertices_.push_back(Index{vertices_[old + i]});
-    }
-    vertices_.push_back(v);
-    ++size_[component];
-  }
 
 private:
   std::vector<Index> vertices_;     // component after component
@@ -136,12 +125,6 @@ public:
     lists_.count_vanished();
     surface_.progress().count(surface_.scratch().counters);
     return true;
-  }
-
-  /// There is a vertex more, in the component that it is said to be in.
-  void add_vertex(Index v) {
-    if (lists_.left() > 0)
-      lists_.add(components().of(v), v);
   }
 
   bool has_met_distance() const { return has_met_distance_; }

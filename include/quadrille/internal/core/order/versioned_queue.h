@@ -22,8 +22,6 @@ public:
   PairVersions(std::size_t vertices, Arena* arena) : versions_(vertices, 0, arena) {}
 
   std::size_t size() const { return versions_.size(); }
-  /// There is a vertex more.
-  void add_vertex() { append_row(versions_, time_); }
   std::uint32_t time() const { return time_; }
   /// From here on, what is put into the queue is later.
   void advance() { ++time_; }

@@ -36,8 +36,6 @@ public:
       append_after(face, slot);
   }
 
-  /// There is a vertex more.
-  void add_vertex() { append_row(last_entry_, none); }
   bool has(Index vertex) const {
     return last_entry_[vertex] != none;
   } ///< any, perhaps one that has left
@@ -149,7 +147,7 @@ private:
 
   std::vector<Slot> slots_;
   std::vector<Index> free_;
-  Array<Index> last_entry_;            // of the list of each vertex
+  Array<Index> last_entry_;        // of the list of each vertex
   std::vector<Index> last_obstructed_; // the same for faces, once one obstructed a pair
   std::size_t size_ = 0, blocked_ = 0;
 };
@@ -172,8 +170,6 @@ public:
   void add(const QueuedPair& pair, bool is_blocked = false, Index face = none) {
     rejected_.add(pair, is_blocked, face);
   }
-  /// There is a vertex more.
-  void add_vertex() { rejected_.add_vertex(); }
   /// Counts the waiting pairs that were rejected for the sake of constraints.
   std::size_t blocked() const { return rejected_.blocked(); }
   /// Some pairs of a vertex of many faces have been added, and others are in the queue.

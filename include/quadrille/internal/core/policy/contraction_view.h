@@ -188,7 +188,7 @@ public:
   class Iterator {
   public:
     Iterator(const StarFace* face, const InputIndices& indices) : face_(face), indices_(indices) {}
-    std::size_t operator*() const { return indices_.original_of(face_->face); }
+    std::size_t operator*() const { return indices_[face_->face]; }
     Iterator& operator++() { return ++face_, *this; }
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.face_ == b.face_; }
 
@@ -217,12 +217,12 @@ public:
         shared_(star.shared.begin(), star.shared.end()), numbering_(numbering) {}
 
   /// The ends. A vertex that others were merged into still has an index of its own.
-  std::size_t first() const { return numbering_.vertices.original_of(first_); }
-  std::size_t second() const { return numbering_.vertices.original_of(second_); }
+  std::size_t first() const { return numbering_.vertices[first_]; }
+  std::size_t second() const { return numbering_.vertices[second_]; }
 
   ChangedFaces<IndexedContraction> faces() const { return ChangedFaces(*this); }
   IndexedFace face(std::size_t i) const {
-    return {ContractionView<N>::face(i), numbering_.faces.original_of(this->star_face(i).face)};
+    return {ContractionView<N>::face(i), numbering_.faces[this->star_face(i).face]};
   }
   /// Returns the faces of both ends.
   RemovedFaces removed_faces() const { return {shared_, numbering_.faces}; }
@@ -230,7 +230,7 @@ public:
   template <class Visit>
   void for_each_gone(Visit visit) const {
     for (const StarFace& f : shared_)
-      visit(GoneFace{this->shared_corners(f, second_), numbering_.faces.original_of(f.face)});
+      visit(GoneFace{this->shared_corners(f, second_), numbering_.faces[f.face]});
   }
 
 private:

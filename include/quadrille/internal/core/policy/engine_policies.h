@@ -150,12 +150,6 @@ template <class Policies>
 struct DistanceNeeds;
 template <class Policies, bool both_ways>
 std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs);
-template <class Policies>
-class HandleCutter;
-template <class Policies>
-struct CutterNeeds;
-template <class Policies>
-std::unique_ptr<HandleCutter<Policies>> make_cutter(const CutterNeeds<Policies>& needs);
 template <class State>
 struct GivenStates;
 struct FaceBound;
@@ -175,8 +169,6 @@ struct OptionalModules {
   /// Makes the object that measures distances for a stop policy that asks for them.
   std::unique_ptr<MeasuredDistances<Policies>> (*make_distances)(const DistanceNeeds<Policies>&) =
       nullptr;
-  /// Makes the object that cuts handles.
-  std::unique_ptr<HandleCutter<Policies>> (*make_cutter)(const CutterNeeds<Policies>&) = nullptr;
   /// The initial states of vertices, used instead of those that their faces would give, if present.
   const GivenStates<typename Policies::Cost::State>* states = nullptr;
   /// The distance of each input face from the input of all chunks, at the beginning and then at the
@@ -208,7 +200,6 @@ struct Policies {
   Threads threads;                            // as many as the order asks for
   std::optional<RecorderHandle> recorder;     // receives contractions
   std::optional<Topology> topology;           // nothing: as the mesh and the pairs suggest
-  std::optional<double> widest_handle;        // that is cut, in the mesh's unit
   FilterList<Cost::dimension> filters;
   GuardSet<Cost::dimension> guards;
   OptionalModules<Policies> optional;

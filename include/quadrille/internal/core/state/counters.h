@@ -19,7 +19,6 @@ struct Counters {
   // Pairs that a pass leaves to the greedy order after it: nearly all if attributes are noise.
   std::size_t left = 0;
   std::size_t doubled_faces = 0, doubled_labels = 0, vanished_components = 0; // see Report
-  std::size_t cut_handles = 0, split_components = 0;                          // the same
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0;          // the greatest
   double vanished_size = 0;  // of components
@@ -39,14 +38,6 @@ struct Counters {
     loses_points = true;
     error = (std::max)(error, component.radius);
     vanished_size = (std::max)(vanished_size, component.size);
-  }
-  /// Two faces and three vertices have come. Does the cut part the surface?
-  void count_cut(double its_error, bool components) {
-    faces -= 2; // counters are added up modulo 2⁶⁴
-    vertices -= 3;
-    ++(components ? split_components : cut_handles);
-    loses_points = true;
-    error = (std::max)(error, its_error);
   }
   void reject(Rejection cause) { ++rejections[static_cast<std::size_t>(cause)]; }
 };

@@ -219,35 +219,12 @@ struct SurfaceState {
     importance.merge(event.kept, event.gone);
   }
 
-  /// Adds a vertex that is the copy of another one, without faces.
-  template <class ArrayOwners>
-  Index copy_vertex(Index v, const ArrayOwners& array_owners) {
-    const Index copy = complex.add_vertex();
-    copy_row(array_owners, v);
-    numbering.copy_vertex(v);
-    for (Scratch& scratch : scratches)
-      scratch.labels.add_vertex();
-    return copy;
-  }
-  /// Adds a face, which counts as one of the input: its plane enters the states of its vertices.
-  /// `like`: the face of whose input face it is said to be.
-  void add_face(const TriangleComplex::Triangle& vertices, Index like) {
-    complex.add_face(vertices);
-    numbering.faces.add_copy(like);
-    const auto& cost = with_engine_lengths(policies.cost, scale);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto at = [&](std::size_t k) { return geometry.position(vertices[(i + k) % 3]); };
-      states[vertices[i]] += cost.face(at(0), at(1), at(2));
-    }
-  }
-
   /// Reports the remaining topology and the components that have vanished.
   void write_to(Report& report) {
     count_topology(complex, scratch().labels).write_to(report);
-    report.components_before =
-        is_topology_kept
-            ? report.components_after + report.vanished_components - report.split_components
-            : input_components.size();
+    report.components_before = is_topology_kept
+                                   ? report.components_after + report.vanished_components
+                                   : input_components.size();
     if (is_topology_kept && report.vanished_components > 0)
       report.error = (std::max)(
           report.error,

@@ -87,16 +87,6 @@ public:
         is_any_thin ? static_cast<float>(event.feature_loss.displacement) : not_thin;
   }
 
-  /// The faces around a vertex that stays in its place are others.
-  void measure_ring_radius(const TriangleComplex& complex, Index v) {
-    squared_ring_radius_[v] = 0;
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = star_face_at(complex, face, i);
-      for (Index w : {f.second, f.third})
-        squared_ring_radius_[v] = (std::max)(squared_ring_radius_[v], squared_length_of(v, w));
-    });
-  }
-
   /// The positions, which are no longer here then.
   Array<Position> take_positions() { return std::move(positions_); }
 

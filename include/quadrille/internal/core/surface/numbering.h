@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -34,17 +33,8 @@ public:
   /// `of`: theirs; empty if these are 0, 1, …
   InputIndices(std::size_t count, Array<Index> of) : of_(std::move(of)), input_count_(count) {}
 
-  /// How many there are, with those that are copies.
   std::size_t input_count() const { return input_count_; }
   Index operator[](Index number) const { return is_identity() ? number : of_[number]; }
-  /// How many whoever made the surface knows.
-  std::size_t original_count() const { return input_count_ - originals_.size(); }
-  /// Returns the input index of which another one is a copy: itself, if it is none.
-  Index original(Index input) const {
-    return input < original_count() ? input : originals_[input - original_count()];
-  }
-  /// Returns that of a number.
-  Index original_of(Index number) const { return original((*this)[number]); }
   /// Returns the new numbers of a list of numbers.
   Array<Index> of(const Array<Index>& numbers) const {
     Array<Index> inputs(numbers);
@@ -58,14 +48,6 @@ public:
     return {input_count_, is_identity() ? of_ : places(of_, input_count_)};
   }
   bool is_identity() const { return of_.empty(); }
-
-  /// Adds a number, for a copy of another. It gets an input index behind all others.
-  void add_copy(Index number) {
-    originals_.push_back(original_of(number));
-    if (!is_identity())
-      append_row(of_, static_cast<Index>(input_count_));
-    ++input_count_;
-  }
   Arena* arena() const { return of_.get_allocator().arena(); }
 
   /// Leaves out those that are not among `left`, ascending numbers and at least one.
@@ -89,7 +71,6 @@ public:
 private:
   Array<Index> of_;
   std::size_t input_count_;
-  std::vector<Index> originals_; // of the last ones, which are copies
 };
 
 /// Records into which vertices other vertices were merged, and the input indices of vertices and
@@ -107,11 +88,6 @@ public:
       merged_into_[vertices[gone]] = vertices[kept];
     else
       merged_into_[gone] = kept;
-  }
-  /// Adds a copy of a vertex.
-  void copy_vertex(Index v) {
-    vertices.add_copy(v);
-    append_row(merged_into_, none);
   }
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     internal::prefetch(&merged_into_[is_by_input_ ? vertices[v] : v]);

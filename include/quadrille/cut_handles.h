@@ -1,0 +1,118 @@
+#ifndef QUADRILLE_CUT_HANDLES_H
+#define QUADRILLE_CUT_HANDLES_H
+
+#include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
+
+#include <quadrille/internal/core/base/containers.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/base/read_surface.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/surface/handle_cuts.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ranges>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+/// \file
+/// Soups lose the tunnels and handles that are narrower than a width.
+
+namespace quadrille {
+
+/// The points and triangles that cut_handles() has added to a soup.
+struct HandleChanges {
+  std::size_t cut_handles = 0; ///< the handles and tunnels that were cut; each is one genus less
+  std::size_t split_components = 0; ///< the tunnels between two walls, which have come apart
+  /// The points from which each added point comes, in the order of the added points: twice the one
+  /// that it is a copy of, or two, in the middle of which it lies. They may be added points
+  /// themselves, but earlier ones.
+  std::vector<std::array<std::size_t, 2>> origins;
+  /// For each triangle of the result, the triangle of the input that it is, or is next to.
+  std::vector<std::size_t> triangles;
+};
+
+namespace internal {
+
+/// The size of cut_handles(). Throws std::invalid_argument if it is no length.
+inline double valid_size(double size) {
+  if (!(size >= 0) || !std::isfinite(size))
+    throw std::invalid_argument("quadrille::cut_handles: the size " + text_of(size) +
+                                " is no length");
+  return size;
+}
+
+inline HandleChanges changes_of(const HandleCuts& cuts, std::size_t triangles) {
+  HandleChanges changes{cuts.handles, cuts.necks, {}, {}};
+  for (const auto& [a, b] : cuts.added)
+    changes.origins.push_back({a, b});
+  for (std::size_t face = 0; face < triangles; ++face)
+    changes.triangles.push_back(face);
+  for (const Index face : cuts.like) // may be an added one
+    changes.triangles.push_back(std::size_t{changes.triangles[face]});
+  return changes;
+}
+
+} // namespace internal
+
+/// Cuts a soup at tunnels and handles up to a size, and closes it there: a manifold stays one,
+/// closed where it was, with a handle less for each cut.
+///
+/// Wherever a loop of edges that is at most three sizes long runs round a tunnel or a handle, the
+/// surface is cut along it and closed on both sides: by a triangle each, or by a fan round a point
+/// in the middle of the loop. A tunnel then ends in two dents, and a handle in two stumps, which
+/// simplify() takes away at their price. A tunnel that joins two parts of the surface, as the outer
+/// wall of a shell and its inner one, is the last that does so once others are cut; it is cut if
+/// both parts are wider than the size, by four times the volume over the area. Nothing else is
+/// parted: limbs stay however thin they are.
+///
+/// **What is promised.** No loop is cut that is longer than three sizes, and after the call no
+/// handle has a loop of edges that is shorter, up to the search: it finds the shortest one through
+/// a vertex, and draws it tight at its vertices. So a tunnel of circular cross-section with the
+/// diameter d, of which the loop is 3.1 d long, or of a square one with the side d, 4 d long, is
+/// cut with a size of 1.5 d, and not with 0.8 d. Where edges are long or run askew, loops of edges
+/// are longer than the tunnel is wide. Loops through points of which the triangles do not form one
+/// disc that is oriented alike are not found: see make_manifold().
+///
+/// No point moves. Points and triangles keep their indices; added ones come behind them. The
+/// containers are those of simplify() that can grow. The time is that of a search around each
+/// vertex, as far as two and a quarter sizes, and close to linear while these are a few edges.
+///
+/// `is_kept`: empty, or for each point whether nothing is cut there.
+///
+/// Throws std::invalid_argument for a size that is negative or not finite, for a face that is not a
+/// triangle, or names a point that is not there, and for a point that is not finite; the soup is
+/// then unchanged.
+template <class Points, class Triangles>
+requires requires(Points& points, Triangles& triangles) {
+  points.push_back(points[0]);
+  triangles.push_back(triangles[0]);
+}
+HandleChanges cut_handles(Points& points, Triangles& triangles, double size,
+                          const std::vector<bool>& is_kept = {}) {
+  using Point = std::ranges::range_value_t<Points>;
+  const TriangleSoup<> surface =
+      internal::read_surface("quadrille::cut_handles", points, triangles);
+  const internal::HandleCuts cuts(surface, internal::valid_size(size), is_kept);
+  HandleChanges changes = internal::changes_of(cuts, surface.triangles.size());
+  Points new_points(points);
+  for (const auto& [a, b] : changes.origins)
+    new_points.push_back(a == b ? Point(new_points[a])
+                                : internal::point_at<Point>(cuts.surface().point(
+                                      static_cast<internal::Index>(new_points.size()))));
+  auto new_triangles = internal::empty_like(triangles);
+  for (std::size_t face = 0; face < changes.triangles.size(); ++face)
+    new_triangles.push_back(
+        internal::renumbered(triangles[changes.triangles[face]], [&](std::size_t k) {
+          return std::size_t{cuts.surface().triangle(static_cast<internal::Index>(face))[k]};
+        }));
+  std::swap(points, new_points);
+  std::swap(triangles, new_triangles);
+  return changes;
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_CUT_HANDLES_H
