@@ -15,6 +15,7 @@
 #include <quadrille/boundaries.h>
 #include <quadrille/channels.h>
 #include <quadrille/cluster.h>
+#include <quadrille/cut_handles.h>
 #include <quadrille/distance.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/file.h>

@@ -2,6 +2,7 @@
 # Holds documents and packages to the table of options, include/quadrille/compiled/options.def.
 #   sh options.sh table REPOSITORY    prints the tables of doc/manual/options.md
 #   sh options.sh manual REPOSITORY   the manual has these tables
+#   sh options.sh presets REPOSITORY  doc/manual/presets.md has the options of each preset, and no others
 #   sh options.sh program REPOSITORY  the program has the options of the program, by their names and short forms
 #   sh options.sh web REPOSITORY      the npm package has the options of the web, with their words and defaults
 set -eu
@@ -74,6 +75,20 @@ program() {
     sub is_defined { $sources =~ /"(?:--?[\w-]+,)*--$_[0](?:,--?[\w-]+)*"/ }
     sub wrong { print "$_[0]\n"; $wrong = 1 }
     END { $? = $wrong ? 1 : 0 }'
+}
+
+presets() {
+  perl -ne '
+    push @{$options{$1}}, "`$2` " . $3 =~ s/.*:://r if /^QUADRILLE_PRESET\((\w+), (\w+), (.*)\)$/;
+    END {
+      print "| `$_` | .* | ", join(", ", @{$options{$_}}), " |\n" for sort keys %options;
+    }' include/quadrille/compiled/presets.def |
+    while read -r row; do
+      grep -qx -- "$(printf '%s' "$row" | sed 's/[*]/[*]/g; s/\.\[\*\]/.*/')" doc/manual/presets.md || {
+        echo "doc/manual/presets.md has no row $row"
+        exit 1
+      }
+    done
 }
 
 web() {

@@ -98,6 +98,13 @@ struct SoupOptions {
   enum class Placement { optimal, endpoint, midpoint };
   /// The names of the orders: see GreedyOrder and RelaxedOrder.
   enum class Order { greedy, relaxed };
+  /// The names of the presets: see SoupOptions::preset.
+  enum class Preset { generated, scan, voxels, print, cad, terrain, game };
+
+  /// The options of a kind of surface: those that have their default here get that of the preset,
+  /// which `compiled/presets.def` lists. Options that do not go with another one of the caller's
+  /// are left out.
+  std::optional<Preset> preset = {};
 
   // --- Targets: the simplification stops at the first one that is met; without any it stops at
   // FaceRatio{0.5}.

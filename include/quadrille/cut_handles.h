@@ -78,7 +78,7 @@ inline HandleChanges changes_of(const HandleCuts& cuts, std::size_t triangles) {
 ///
 /// No point moves. Points and triangles keep their indices; added ones come behind them. The
 /// containers are those of simplify() that can grow. The time is that of a search around each
-/// vertex, as far as two and a quarter sizes, and close to linear while these are a few edges.
+/// vertex, as far as two and a half sizes, and close to linear while these are a few edges.
 ///
 /// `is_kept`: empty, or for each point whether nothing is cut there.
 ///

@@ -222,6 +222,7 @@ inline void add_options(CLI::App& app, Options& options) {
   add_quadric(app, options);
   add_region(app, options);
   add_labels(app, options);
+  add_preset(app, options);
   add_topology(app, options);
   add_promises(app, options);
   add_seams(app, options);

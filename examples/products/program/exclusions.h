@@ -41,7 +41,7 @@ inline constexpr const char* options_of_recorded_runs[] = {
     "--lines",     "--normal-noise", "--noise",       "--squared-areas", "--importance",
     "--crease",    "--pairs",        "--normals",     "--solid",         "--no-self-intersection",
     "--seams",     "--order",        "--weld",        "--orient",        "--keep-partial",
-    "--region",    "--labels",       "--cut-handles", "--manifold"};
+    "--region",    "--labels",       "--cut-handles", "--manifold",      "--preset"};
 
 /// Throws if an option is there that does not go with another one, with the reason.
 inline void reject_with(const CLI::App& app, const Exclusion& exclusion) {

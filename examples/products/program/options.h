@@ -56,6 +56,7 @@ struct Options {
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
   Amount handles;                        // up to this wide are cut; 0: none is
   bool is_manifold = false;              // is IN made so first?
+  std::string preset;                    // a kind of surface; empty: none
   bool drops_components = false;
   bool keeps_components = false;        // neither: see topology()
   bool forbids_intersections = false;   // of faces that do not intersect in IN

@@ -28,6 +28,7 @@ inline constexpr NotByChunks not_by_chunks[] = {
     {"--orient", "a chunk does not know the orientation of the others"},
     {"--pairs", "pairs that are not edges may lie in different chunks"},
     {"--cut-handles", "a handle may lie in several chunks"},
+    {"--preset", "a chunk does not see the surface of the others"},
     {"--manifold", "a chunk does not see the faces of the others"},
     {"--no-self-intersection", "a chunk does not see the faces of the others"},
     {"--solid", "a chunk does not see the faces of the others"},

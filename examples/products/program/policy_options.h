@@ -130,6 +130,14 @@ inline void add_labels(CLI::App& app, Options& options) {
       ->group("Policies");
 }
 
+inline void add_preset(CLI::App& app, Options& options) {
+  take_one_of(app.add_option("--preset", options.preset,
+                             "the options of a kind of surface, where others are not given: see "
+                             "the manual, or -v, which prints them"),
+              {"generated", "scan", "voxels", "print", "cad", "terrain", "game"})
+      ->group("Policies");
+}
+
 inline void add_topology(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--pairs,--pairs-closer-than",

@@ -18,6 +18,8 @@
 #include "trials.h"
 #include "verification.h"
 
+#include <quadrille/compiled/option_setting.h>
+#include <quadrille/compiled/presets.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 
@@ -74,10 +76,38 @@ void print_remarks(const Options& options, const IndexedMesh& mesh) {
     print_remark(options, "not kept: " + mesh.losses.text());
 }
 
+void print_preset(const Options& options) {
+  if (options.preset.empty() || !options.is_verbose)
+    return;
+  quadrille::SoupOptions named;
+  quadrille::internal::set_word(named, "preset", options.preset);
+  for (const auto& [preset, option, value] : quadrille::internal::preset_options)
+    if (preset == named.preset)
+      print_remark(options, "--preset " + options.preset + ": " + std::string(option) + " " +
+                                std::string(value));
+}
+
+namespace {
+
+/// A hint, which changes nothing, where a surface looks like one of a kind.
+void print_hint(const Options& options, const Winding& winding, std::size_t faces) {
+  constexpr std::size_t many = 10'000; // faces for each edge of more than two of them
+  if (!options.preset.empty() || options.is_manifold || options.topology == "free" ||
+      winding.crowded_edges() == 0 || faces > many * winding.crowded_edges())
+    return;
+  print_remark(options, with_commas(winding.pieces()) + " pieces, " +
+                            with_commas(winding.crowded_edges()) +
+                            " edges of more than two faces: for a generated surface, --preset "
+                            "generated");
+}
+
+} // namespace
+
 void orient(const Options& options, IndexedMesh& mesh) {
   if (options.is_quiet && !options.orients)
     return;
   const Winding winding(mesh);
+  print_hint(options, winding, mesh.triangles.size());
   const std::string count = with_commas(winding.against());
   if (options.orients)
     winding.turn(mesh);
@@ -214,6 +244,7 @@ public:
     fit_to_format(mesh, format_);
     progress_.clear();
     print_remarks(options_, mesh);
+    print_preset(options_);
     orient(options_, mesh);
     make_manifold(options_, mesh);
     if (!is_standard_output(options_.output) && !writes_gltf())

@@ -51,6 +51,7 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   take_scalars(options, shown.mesh);
   progress.clear();
   print_remarks(options, shown.mesh);
+  print_preset(options);
   orient(options, shown.mesh);
   make_manifold(options, shown.mesh);
   Outcome outcome{.file = options.output,

@@ -49,6 +49,9 @@ void take_scalars(Options& options, const IndexedMesh& mesh);
 /// one side is told.
 void orient(const Options& options, IndexedMesh& mesh);
 
+/// Prints the options of a preset, where everything is printed.
+void print_preset(const Options& options);
+
 /// Cuts a mesh into manifold sheets where --manifold asks for it, with the scalars that were taken
 /// of it.
 void make_manifold(Options& options, IndexedMesh& mesh);

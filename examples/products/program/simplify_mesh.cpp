@@ -1,5 +1,7 @@
 #include "simplify_mesh.h"
 
+#include <quadrille/compiled/option_setting.h>
+
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -95,7 +97,11 @@ quadrille::SoupOptions soup_options(const Options& options) {
     result.order = Soup::Order::relaxed;
     result.threads = options.threads;
   }
-  result.topology = topology(options);
+  if (!options.preset.empty())
+    quadrille::internal::set_word(result, "preset", options.preset);
+  if (options.preset.empty() || !options.topology.empty() || options.drops_components ||
+      options.keeps_components || options.joins_pairs())
+    result.topology = topology(options);
   result.no_self_intersection = options.forbids_intersections;
   result.keep_solid = options.keeps_solid;
   result.coordinates_are_floats = writes_floats(options);

@@ -3,6 +3,7 @@
 
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/prepared_soup.h>
+#include <quadrille/compiled/presets.h>
 #include <quadrille/compiled/run_soup.h>
 #include <quadrille/compiled/soup_channel_map.h>
 #include <quadrille/compiled/soup_run.h>
@@ -88,6 +89,8 @@ SoupChannel unchanged_channel(const SoupChannelView& channel, bool has_values) {
 
 SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
                               const std::function<Report(SoupRun&)>& simplify) {
+  if (options.preset)
+    return run_soup(soup, internal::with_preset(options, soup), simplify);
   validate_call(soup, options);
   if (internal::has_preparation(options)) {
     const internal::PreparedSoup prepared(soup, options);

@@ -42,6 +42,11 @@ public:
   /// How many pieces have but one side: how their faces are wound is left as it is.
   std::size_t one_sided() const { return one_sided_; }
 
+  /// How many pieces there are, of faces that hang together by edges of two.
+  std::size_t pieces() const { return piece_count_; }
+  /// How many edges have more than two faces.
+  std::size_t crowded_edges() const { return crowded_edges_; }
+
   /// Turns those faces, with what their corners have.
   void turn(IndexedMesh& mesh) const {
     for (std::size_t i = 0; i < is_against_.size(); ++i)
@@ -94,6 +99,7 @@ private:
       next = std::find_if(begin, end, [&](const Side& s) { return s.greater != begin->greater; });
       if (next - begin == 2)
         join(begin[0], begin[1]);
+      crowded_edges_ += next - begin > 2;
     }
   }
 
@@ -115,8 +121,10 @@ private:
     }
     for (const std::uint32_t face : contradictions_)
       pieces[pieces_.first_of(face).face].is_one_sided = true;
-    for (const Chunk& piece : pieces)
+    for (const Chunk& piece : pieces) {
       one_sided_ += piece.is_one_sided;
+      piece_count_ += piece.faces[0] > 0;
+    }
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       const auto [first, is_turned] = pieces_.first_of(i);
       const Chunk& piece = pieces[first];
@@ -128,7 +136,7 @@ private:
   quadrille::internal::OrientedComponents pieces_;
   std::vector<std::uint32_t> contradictions_; // a face of a piece of one side, for each
   std::vector<bool> is_against_;
-  std::size_t one_sided_ = 0;
+  std::size_t one_sided_ = 0, piece_count_ = 0, crowded_edges_ = 0;
 };
 
 } // namespace quadrille_examples

@@ -69,6 +69,7 @@ Cost = _words("Cost", "quadric", "memoryless_quadric", "thin_feature_quadric", "
 Placement = _words("Placement", "optimal", "endpoint", "midpoint")
 Order = _words("Order", "greedy", "relaxed")
 Topology = _words("Topology", "kept", "free", "components_may_vanish")
+Preset = _words("Preset", "generated", "scan", "voxels", "print", "cad", "terrain", "game")
 Weighting = _words("Weighting", "by_area", "uniform", "by_squared_area")
 Way = _words("Way", "compiled", "calibrated", "outer_hull", "inner_hull", "same_volume")
 Kind = _words("Kind", "texture", "normals", "colors", "attributes")
@@ -100,6 +101,7 @@ class Options:
     refresh = False
     threads = 1
     pairs_closer_than: Any = None
+    preset: Any = None
     topology: Any = None
     manifold = False
     simplified_topology: Any = None

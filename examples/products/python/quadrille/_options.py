@@ -6,7 +6,7 @@ import operator
 from typing import Any, Callable, NamedTuple, Optional
 
 from . import _core
-from ._choices import CostName, OrderName, PlacementName, TopologyName, WeightingName, choice
+from ._choices import CostName, OrderName, PlacementName, PresetName, TopologyName, WeightingName, choice
 
 
 class Functions(NamedTuple):
@@ -38,6 +38,7 @@ def make_options(
     line_weight: float = 0.0,
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
+    preset: Optional[PresetName] = None,
     topology: Optional[TopologyName] = None,
     manifold: bool = False,
     simplified_topology: Optional[float] = None,
@@ -70,6 +71,8 @@ def make_options(
     options.order = choice("order", order, _core.Order.__members__)
     if placement is not None:
         options.placement = choice("placement", placement, _core.Placement.__members__)
+    if preset is not None:
+        options.preset = choice("preset", preset, _core.Preset.__members__)
     if topology is not None:
         options.topology = choice("topology", topology, _core.Topology.__members__)
     numbers = dict(boundary_weight=boundary_weight, crease_degrees=crease_degrees,

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
-from ._choices import CostName, HullName, OrderName, PlacementName, TopologyName, WeightingName
+from ._choices import CostName, HullName, OrderName, PlacementName, PresetName, TopologyName, WeightingName
 from ._forms import Array
 from ._levels import Levels
 from ._maps import SparseMap
@@ -46,6 +46,7 @@ def simplify(
     line_weight: float = 0.0,
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
+    preset: Optional[PresetName] = None,
     topology: Optional[TopologyName] = None,
     manifold: bool = False,
     simplified_topology: Optional[float] = None,
@@ -132,6 +133,8 @@ def simplify(
                      better triangles at a slightly larger distance, 0.01 much better ones at a larger one
     normal_noise     the standard deviation of unit normals, at least 0; 0.1 is about 6 degrees
     position_noise   the standard deviation of points, in their unit
+    preset           the options of a kind of surface, where they are left at their defaults here: 'generated', 'scan',
+                     'voxels', 'print', 'cad', 'terrain' or 'game'; doc/manual/presets.md lists them
     topology         'kept' (the default), 'free' (components join, holes close) or 'components_may_vanish' (small
                      components may be removed)
     manifold         first cuts the surface into manifold sheets, at edges of more than two faces and where
@@ -203,7 +206,7 @@ def simplify(
         placement=placement, order=order, threads=threads, boundary_weight=boundary_weight,
         crease_degrees=crease_degrees, crease_weight=crease_weight, weighting=weighting,
         line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
-        topology=topology, manifold=manifold, simplified_topology=simplified_topology,
+        preset=preset, topology=topology, manifold=manifold, simplified_topology=simplified_topology,
         pairs_closer_than=pairs_closer_than, normal_flip=normal_flip,
         normal_deviation=normal_deviation, no_self_intersection=no_self_intersection,
         keep_solid=keep_solid, share=share, refresh=refresh)

@@ -31,7 +31,7 @@ public:
   /// no loop may go through it.
   HandleCuts(const SurfaceView& surface, double size, const std::vector<bool>& is_kept)
       : surface_(surface, is_kept), loops_(surface_), shorter_(surface_), sides_(surface_),
-        size_(size), longest_(3 * size), slack_(longest_ / 4),
+        size_(size), longest_(3 * size), slack_(longest_ / 3),
         is_covered_(surface_.vertices(), false) {
     for (Index v = 0; v < surface_.vertices(); ++v) // also those that are added
       search_from(v);

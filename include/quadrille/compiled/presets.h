@@ -1,0 +1,79 @@
+#ifndef QUADRILLE_COMPILED_PRESETS_H
+#define QUADRILLE_COMPILED_PRESETS_H
+
+#include <quadrille/compiled.h>
+#include <quadrille/quadric_form.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+/// \file
+/// The presets of presets.def: which options each stands for.
+
+namespace quadrille::internal {
+
+/// An option that a preset stands for. Its value is as presets.def has it, without the scope of a
+/// word: "true", "components_may_vanish", "3 * edge".
+struct PresetOption {
+  SoupOptions::Preset preset;
+  std::string_view option, value;
+};
+
+/// Returns the text of an expression without the scope of a word.
+constexpr std::string_view without_scope(std::string_view expression) {
+  const std::size_t scope = expression.rfind("::");
+  return scope == std::string_view::npos ? expression : expression.substr(scope + 2);
+}
+
+/// The options of all presets.
+inline constexpr PresetOption preset_options[] = {
+#define QUADRILLE_PRESET(preset, option, value)                                                    \
+  {SoupOptions::Preset::preset, #option, without_scope(#value)},
+#include <quadrille/compiled/presets.def>
+};
+
+/// Returns the mean length of the edges of the triangles of a soup; 0 if it has none.
+inline double mean_edge_length(const SoupView& soup) {
+  double sum = 0;
+  for (const auto& triangle : soup.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t a = triangle[i], b = triangle[(i + 1) % 3];
+      if (a < soup.points.size() && b < soup.points.size())
+        sum += std::sqrt(squared_distance(Vector<3>{soup.points[a]}, Vector<3>{soup.points[b]}));
+    }
+  return soup.triangles.empty() ? 0 : sum / (3 * static_cast<double>(soup.triangles.size()));
+}
+
+/// Does the call have anything that does not go with the preparations of a preset?
+inline bool refuses_preparations(const SoupOptions& options) {
+  return options.split_vertices || options.recorder || options.pairs_closer_than ||
+         options.topology == Topology::free;
+}
+
+/// Returns options with those of their preset in the place of defaults. What does not go with an
+/// option of the caller is left out.
+inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
+  const SoupOptions fallback;
+  SoupOptions options = given;
+  [[maybe_unused]] const double edge = mean_edge_length(soup);
+#define QUADRILLE_PRESET(preset_, option, value)                                                   \
+  if (given.preset == SoupOptions::Preset::preset_ && given.option == fallback.option)             \
+    options.option = value;
+#include <quadrille/compiled/presets.def>
+  if (refuses_preparations(given)) {
+    options.manifold = given.manifold;
+    options.simplified_topology = given.simplified_topology;
+  }
+  if (options.cost != SoupOptions::Cost::quadric) {
+    options.crease_degrees = given.crease_degrees;
+    options.line_weight = given.line_weight;
+    options.position_noise = given.position_noise;
+  }
+  options.preset.reset();
+  return options;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_COMPILED_PRESETS_H
