@@ -103,10 +103,10 @@ TEST_CASE("A soup is made manifold before its handles are cut") {
   });
   const SoupPoints points = arrays_of(input);
   const SoupResult result = simplified_soup(
-      {points, input.triangles}, {.faces = 100, .manifold = true, .simplified_topology = 1.5});
+      {points, input.triangles}, {.faces = 100, .manifold = true, .simplified_topology = 3.});
   CHECK(topology_of(result).is_manifold);
   CHECK(topology_of(result).is_closed());
-  CHECK(result.report.cut_handles == 2);
+  CHECK(result.report.cut_handles == 1); // one wide tunnel, once the blocks come apart
   CHECK(result.report.non_manifold_edges == 0);
 }
 
@@ -126,4 +126,27 @@ TEST_CASE("Preparations refuse what would undo them") {
   CHECK_THAT(complaint({.topology = Topology::free}), Catch::Contains("free topology"));
   CHECK_THAT(complaint({.pairs_closer_than = 1.}), Catch::Contains("pairs"));
   CHECK_THAT(complaint({.split_vertices = true}), Catch::Contains("split_vertices"));
+}
+
+TEST_CASE("A preset stands for options that are left at their defaults") {
+  const Soup input = two_tunnels();
+  const SoupPoints points = arrays_of(input);
+  const SoupView soup{points, input.triangles, {}, {}};
+  const auto cuts = [&](const SoupOptions& options) {
+    return simplified_soup(soup, options).report.cut_handles;
+  };
+  CHECK(cuts({.preset = SoupOptions::Preset::generated, .faces = 60}) == 1);
+  CHECK(cuts({.preset = SoupOptions::Preset::cad, .faces = 60}) == 0);
+  CHECK(cuts({.preset = SoupOptions::Preset::generated, .faces = 60, .simplified_topology = 0.1}) ==
+        0);
+  CHECK(cuts({.preset = SoupOptions::Preset::generated, .faces = 60, .split_vertices = true}) == 0);
+  const SoupResult named = simplified_soup(
+      soup,
+      {.preset = SoupOptions::Preset::print, .faces = 60, .cost = SoupOptions::Cost::edge_length});
+  const SoupResult own = simplified_soup(soup, {.faces = 60,
+                                                .cost = SoupOptions::Cost::edge_length,
+                                                .topology = Topology::components_may_vanish,
+                                                .manifold = true});
+  CHECK(named.points == own.points);
+  CHECK(named.triangles == own.triangles);
 }

@@ -151,11 +151,15 @@ private:
     }
     return result;
   }
-  // The corner of its source at which a corner of a triangle is, or another one if there is none.
+  // The corner of its source at which a corner of a triangle is, or else at which the next one is.
   std::size_t corner(std::size_t face, std::size_t i) const {
     const auto& of_source = soup_.triangles[source(face)];
-    const auto at = std::find(of_source.begin(), of_source.end(), root(triangles_[face][i]));
-    return at == of_source.end() ? i : static_cast<std::size_t>(at - of_source.begin());
+    for (std::size_t k = i; k < i + 3; ++k) {
+      const auto at = std::find(of_source.begin(), of_source.end(), root(triangles_[face][k % 3]));
+      if (at != of_source.end())
+        return static_cast<std::size_t>(at - of_source.begin());
+    }
+    return i;
   }
 
   const SoupView& soup_;
