@@ -24,8 +24,8 @@ inline bool has_preparation(const SoupOptions& options) {
 }
 
 /// A soup that has been prepared, with all that its points and triangles have. An added point has
-/// what the first of those has from which it comes; an added triangle what that has which is beside
-/// it.
+/// what the first of those has from which it comes; an added triangle what that has which is next
+/// to it.
 class PreparedSoup {
 public:
   PreparedSoup(const SoupView& soup, const SoupOptions& options)

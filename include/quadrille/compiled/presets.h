@@ -46,7 +46,7 @@ inline double mean_edge_length(const SoupView& soup) {
 }
 
 /// Does the call have anything that does not go with the preparations of a preset?
-inline bool refuses_preparations(const SoupOptions& options) {
+inline bool excludes_preparations(const SoupOptions& options) {
   return options.split_vertices || options.recorder || options.pairs_closer_than ||
          options.topology == Topology::free;
 }
@@ -61,7 +61,7 @@ inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
   if (given.preset == SoupOptions::Preset::preset_ && given.option == fallback.option)             \
     options.option = value;
 #include <quadrille/compiled/presets.def>
-  if (refuses_preparations(given)) {
+  if (excludes_preparations(given)) {
     options.manifold = given.manifold;
     options.simplified_topology = given.simplified_topology;
   }

@@ -64,7 +64,7 @@ public:
   /// face from each edge to a new vertex in the middle between two of the loop. The faces on the
   /// left keep the vertices. Calls add_vertex(a, b) for each vertex that is added in the middle
   /// between two earlier ones, which are one for a copy, and add_face(like) for each face, with the
-  /// one beside it.
+  /// one next to it.
   template <class AddVertex, class AddFace>
   void cut(const std::vector<Index>& loop, AddVertex add_vertex, AddFace add_face) {
     std::vector<Index> left, right, right_sides; // vertices, and twins of the loop
@@ -152,7 +152,7 @@ private:
     return false;
   }
 
-  // Of the faces from which they are not known.
+  // Computes the lengths of sides that are not yet known.
   void measure_sides() {
     for (auto h = static_cast<Index>(length_.size()); h < 3 * triangles_.size(); ++h)
       length_.push_back(

@@ -23,9 +23,10 @@ namespace quadrille::internal {
 /// its vertices. Tunnels come first: once they are filled, walls between them are no handles.
 class HandleCuts {
 public:
-  std::size_t handles = 0, necks = 0;      ///< that were cut
-  std::vector<std::array<Index, 2>> added; ///< vertices: in the middle of two; of one, a copy
-  std::vector<Index> like;                 ///< of each added face, one beside it
+  std::size_t handles = 0, necks = 0; ///< how many were cut
+  std::vector<std::array<Index, 2>>
+      added; ///< the two vertices in the middle of which each lies; twice one for a copy
+  std::vector<Index> like; ///< for each added face, a face next to it
 
   /// `size`: a third of the length of the longest loop. `is_kept`: empty, or of each vertex whether
   /// no loop may go through it.
@@ -68,7 +69,7 @@ private:
   // A loop that is to be cut.
   std::optional<EdgeLoop> loop_around(Index base) {
     std::optional<EdgeLoop> found;
-    loops_.search(base, reach(), [&](EdgeLoop loop) {
+    loops_.search(base, radius(), [&](EdgeLoop loop) {
       if (loop.length > longest_ + 2 * slack_ || !is_cuttable(loop))
         return false;
       draw_tight(loop);
@@ -78,7 +79,7 @@ private:
     });
     return found;
   }
-  double reach() const { return longest_ / 2 + slack_; }
+  double radius() const { return longest_ / 2 + slack_; }
   bool is_cuttable(const EdgeLoop& loop) {
     if (only_tunnels_ && !is_round_tunnel(surface_, loop)) {
       has_handles_ |= !sides_.is_in_disc(loop);

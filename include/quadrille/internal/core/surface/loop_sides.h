@@ -15,7 +15,7 @@
 
 namespace quadrille::internal {
 
-/// What a cut along a loop would do.
+/// The kinds of loops, by the result of a cut along them.
 enum class LoopKind {
   handle, ///< both sides are one part, which has a handle there
   neck,   ///< they are two parts, both wide, with a tunnel between them
@@ -48,15 +48,15 @@ inline bool is_round_tunnel(const HalfEdges& surface, const EdgeLoop& loop) {
 ///
 /// Both sides are searched at the same time, the one of which less has been seen first, until they
 /// meet or one has been seen entirely. So it takes no longer than seeing the smaller part takes, or
-/// what lies around a handle. Parts that were found to be discs are remembered: a loop in them is
-/// no handle.
+/// what lies around a handle. Parts that were found to be discs are kept in mind: a loop in them
+/// is no handle.
 class LoopSides {
 public:
   explicit LoopSides(const HalfEdges& surface) : surface_(surface) {
     grow();
     for (Index face = 0; face < surface.faces(); ++face)
-      if (part_[face] == none)
-        add_part(face);
+      if (component_[face] == none)
+        add_component(face);
   }
 
   /// `width`: a part that is wider counts as wide. The width of a part is four times its volume
@@ -73,7 +73,7 @@ public:
     if (is_round && are_wide(loop, width))
       return LoopKind::neck;
     if (euler_number(sides_[smaller_]) == 1)
-      remember(sides_[smaller_]);
+      mark_disc(sides_[smaller_]);
     return LoopKind::limb;
   }
 
@@ -92,9 +92,9 @@ public:
   /// The surface is cut along the neck for which kind() was called last: the smaller of its sides
   /// is a part of its own from now on.
   void split() {
-    shapes_[part_[sides_[smaller_].front()]] = rest_;
+    shapes_[component_[sides_[smaller_].front()]] = rest_;
     for (const Index face : sides_[smaller_])
-      part_[face] = static_cast<Index>(shapes_.size());
+      component_[face] = static_cast<Index>(shapes_.size());
     shapes_.push_back(small_);
   }
 
@@ -106,31 +106,31 @@ private:
 
   // Faces that cuts have added are of the part of a neighbour.
   void grow() {
-    const std::size_t old = part_.size();
-    part_.resize(surface_.faces(), none);
+    const std::size_t old = component_.size();
+    component_.resize(surface_.faces(), none);
     disc_.resize(surface_.faces(), 0);
     mark_.resize(surface_.faces(), 0);
     is_in_loop_.resize(3 * surface_.faces(), 0);
-    for (auto face = static_cast<Index>(old); old > 0 && face < part_.size(); ++face)
-      part_[face] = part_[HalfEdges::face(surface_.twin(3 * face))];
+    for (auto face = static_cast<Index>(old); old > 0 && face < component_.size(); ++face)
+      component_[face] = component_[HalfEdges::face(surface_.twin(3 * face))];
   }
 
   // All that hangs together with a face.
-  void add_part(Index face) {
-    const auto part = static_cast<Index>(shapes_.size());
+  void add_component(Index face) {
+    const auto component = static_cast<Index>(shapes_.size());
     std::vector<Index>& seen = sides_[0];
     seen.assign(1, face);
-    part_[face] = part;
+    component_[face] = component;
     for (std::size_t i = 0; i < seen.size(); ++i)
       for (Index h = 3 * seen[i]; h < 3 * seen[i] + 3; ++h)
         if (const Index twin = surface_.twin(h);
-            twin != none && part_[HalfEdges::face(twin)] == none) {
-          part_[HalfEdges::face(twin)] = part;
+            twin != none && component_[HalfEdges::face(twin)] == none) {
+          component_[HalfEdges::face(twin)] = component;
           seen.push_back(HalfEdges::face(twin));
         }
     shapes_.push_back(shape_of(seen, Vector<3>{}));
     if (euler_number(seen) == 2) // no loop on a sphere is a handle
-      remember(seen);
+      mark_disc(seen);
   }
 
   Shape shape_of(const std::vector<Index>& faces, const Vector<3>& origin) const {
@@ -145,7 +145,7 @@ private:
     return shape;
   }
 
-  // Of vertices, those are counted that the faces have, not the sheets at them.
+  // Counts the vertices of the faces, and not the sheets at them.
   long euler_number(const std::vector<Index>& faces) {
     ++now_;
     time_of_vertex_.resize(surface_.vertices(), 0);
@@ -161,7 +161,7 @@ private:
       }
     return vertices - twice_edges / 2 + static_cast<long>(faces.size());
   }
-  void remember(const std::vector<Index>& faces) {
+  void mark_disc(const std::vector<Index>& faces) {
     ++discs_;
     for (const Index face : faces)
       disc_[face] = discs_;
@@ -199,14 +199,14 @@ private:
   // About a point of the cut the faces that close it have hardly any volume.
   bool are_wide(const EdgeLoop& loop, double width) {
     const std::vector<Index>& side = sides_[smaller_];
-    const Shape& all = shapes_[part_[side.front()]];
+    const Shape& all = shapes_[component_[side.front()]];
     small_ = shape_of(side, surface_.point(surface_.origin(loop.half_edges.front())));
     rest_ = {all.volume - small_.volume, all.area - small_.area};
     return small_.width() > width && rest_.width() > width;
   }
 
   const HalfEdges& surface_;
-  std::vector<Index> part_;                   // of each face
+  std::vector<Index> component_;              // of each face
   std::vector<Shape> shapes_;                 // of each part
   std::vector<std::uint32_t> disc_;           // of each face, 0 for none
   std::vector<std::uint32_t> mark_;           // of each face: now_, or one less on the second side

@@ -33,10 +33,10 @@ public:
 
   /// Calls accept(loop) for loops in the surroundings of a vertex, the shortest first, until one is
   /// accepted. Once a loop is not, those that differ from it by a disc only are not tried. Loops
-  /// that go further than `reach` from the vertex are not found. Returns whether one was accepted.
+  /// that go further than `radius` from the vertex are not found. Returns whether one was accepted.
   template <class Accept>
-  bool search(Index base, double reach, Accept accept) {
-    span(base, reach);
+  bool search(Index base, double radius, Accept accept) {
+    span(base, radius);
     gather_faces();
     for (const Index face : faces_)
       take_leaves(face);
@@ -66,7 +66,7 @@ public:
 private:
   using Entry = std::pair<double, Index>;
 
-  void span(Index base, double reach) {
+  void span(Index base, double radius) {
     ++now_;
     time_.resize(surface_.vertices(), 0);
     distance_.resize(surface_.vertices());
@@ -82,7 +82,7 @@ private:
       reached_.push_back(v);
       surface_.for_each_out(v, [&, d = distance](Index h) {
         if (const double there = d + surface_.length(h);
-            there <= reach && surface_.is_inside(surface_.target(h)))
+            there <= radius && surface_.is_inside(surface_.target(h)))
           offer(surface_.target(h), there, h);
       });
     }
@@ -135,7 +135,7 @@ private:
     }
   }
 
-  // Those that are left, by the length of the loop that each closes.
+  // Lists the edges that are left, by the length of the loop that each closes.
   void find_edges() {
     edges_.clear();
     for (const Index face : faces_)
@@ -146,7 +146,7 @@ private:
       }
     std::sort(edges_.begin(), edges_.end());
   }
-  // The way to where both ways part does not count.
+  // The common beginning of both paths does not count.
   double length_of_loop(Index h) const {
     Index a = surface_.origin(h), b = surface_.target(h);
     const double length = distance_[a] + surface_.length(h) + distance_[b];
@@ -158,27 +158,27 @@ private:
     return length - 2 * distance_[a];
   }
 
-  // Without the way that goes there and back.
+  // Leaves out the path that goes there and back.
   EdgeLoop loop_through(Index h) const {
-    std::vector<Index> there = way_to(surface_.origin(h)), back = way_to(surface_.target(h));
+    std::vector<Index> there = path_to(surface_.origin(h)), back = path_to(surface_.target(h));
     while (!there.empty() && !back.empty() && there.back() == back.back()) {
       there.pop_back();
       back.pop_back();
     }
     EdgeLoop loop{{there.rbegin(), there.rend()}, 0};
     loop.half_edges.push_back(h);
-    for (const Index way : back)
-      loop.half_edges.push_back(surface_.twin(way));
+    for (const Index arriving : back)
+      loop.half_edges.push_back(surface_.twin(arriving));
     for (const Index edge : loop.half_edges)
       loop.length += surface_.length(edge);
     return loop;
   }
   // From its end to the base.
-  std::vector<Index> way_to(Index v) const {
-    std::vector<Index> way;
+  std::vector<Index> path_to(Index v) const {
+    std::vector<Index> path;
     for (Index h = arrival_[v]; h != none; h = arrival_[surface_.origin(h)])
-      way.push_back(h);
-    return way;
+      path.push_back(h);
+    return path;
   }
 
   const HalfEdges& surface_;
