@@ -67,12 +67,38 @@ function indicesOf(geometry, { positions, attributes }) {
   const index = geometry.getIndex();
   if (index) return Uint32Array.from({ length: index.count - (index.count % 3) }, (_, i) => index.getX(i));
   const arrays = [[positions, 3], ...Object.values(attributes).map(({ values, components }) => [values, components])];
-  const firsts = new Map(), corners = positions.length / 3;
-  return Uint32Array.from({ length: corners - (corners % 3) }, (_, corner) => {
-    const key = arrays.map(([array, size]) => array.subarray(size * corner, size * (corner + 1)).join()).join(";");
-    if (!firsts.has(key)) firsts.set(key, corner);
-    return firsts.get(key);
+  const corners = positions.length / 3;
+  return firstOfEqual(arrays, corners - (corners % 3));
+}
+
+// Of each of so many rows of numbers the first that is equal, by a table of hashes.
+function firstOfEqual(arrays, count) {
+  const slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * count + 2))).fill(-1), last = slots.length - 1;
+  const hash = hashOf(arrays);
+  const areEqual = (a, b) => arrays.every(([array, size]) => {
+    for (let k = 0; k < size; ++k) if (array[size * a + k] !== array[size * b + k]) return false;
+    return true;
   });
+  return Uint32Array.from({ length: count }, (_, row) => {
+    let slot = hash(row) & last;
+    while (slots[slot] >= 0 && !areEqual(slots[slot], row)) slot = (slot + 1) & last;
+    if (slots[slot] < 0) slots[slot] = row;
+    return slots[slot];
+  });
+}
+
+function hashOf(arrays) {
+  const number = new Float64Array(1), words = new Uint32Array(number.buffer);
+  return (row) => {
+    let hash = 0;
+    for (const [array, size] of arrays)
+      for (let i = size * row; i < size * (row + 1); ++i) {
+        number[0] = array[i] + 0; // not -0
+        hash = Math.imul(hash ^ words[0], 0x9e3779b1);
+        hash = Math.imul(hash ^ (hash >>> 15) ^ words[1], 0x85ebca6b);
+      }
+    return hash ^ (hash >>> 13);
+  };
 }
 
 const shortest = (indices, vertices) => (vertices <= 65535 ? Uint16Array.from(indices) : indices);
