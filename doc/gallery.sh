@@ -13,7 +13,7 @@ if [ "${1-}" = --built ]; then
   built=$2
   shift 2
 fi
-all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance walls planar seams time"
+all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance walls planar seams generated time"
 for name in "$@"; do
   case " $all " in
     *" $name "*) ;;
@@ -115,6 +115,17 @@ draw_topology() {
   drawn topology.png --size 400,370 --edges 0.6 --from 0.5,0.5,1 --up 0,1,0 \
     $out/debris.off='{} faces, 41 parts|with 133 tunnels' --edges 0.1 $out/debris_kept.off='Topology::kept|{} faces' \
     $out/debris_free.off='Topology::free|{} faces' $out/debris_dropped.off='Topology::components_may_vanish|{} faces'
+}
+
+# The generator is among the cases of the benchmark generated.py.
+draw_generated() {
+  [ -n "${QUADRILLE_CASES-}" ] || { echo "generated.png needs the folder QUADRILLE_CASES" >&2; return; }
+  python3 "$QUADRILLE_CASES/wild/gen_shell.py" $out/shell.ply 200
+  for faces in 20000 2000; do
+    simplified $out/shell.ply shell_$faces.ply --faces $faces --preset generated
+  done
+  drawn generated.png --size 300,270 --edges 0.5 --from 1,-2,1 --zoom 1.2 $out/shell.ply='{} faces|a generated shell' \
+    $out/shell_20000.ply='{} faces|--preset generated' $out/shell_2000.ply='{} faces|--preset generated'
 }
 
 draw_order() {
