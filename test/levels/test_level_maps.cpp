@@ -8,7 +8,6 @@
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/simplified_topology.h>
 #include <quadrille/simplify.h>
 #include <quadrille/stop.h>
 #include <quadrille/threshold_pairs.h>
