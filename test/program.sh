@@ -1621,6 +1621,37 @@ if free=$(df -Pk $memory_disk 2>/dev/null | awk 'NR == 2 && $1 == "tmpfs" { prin
   rm large.ply
 fi
 
+# Faces that nobody sees: a cube in a cube
+awk 'BEGIN {
+  print "OFF\n16 24 0"
+  for (s = 2; s >= 1; --s) for (i = 0; i < 8; ++i) print s * (i % 2 * 2 - 1), s * (int(i / 2) % 2 * 2 - 1), s * (int(i / 4) * 2 - 1)
+  n = split("0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5", v, " ")
+  for (k = 0; k < 16; k += 8) for (i = 1; i <= n; i += 3) print 3, v[i] + k, v[i + 1] + k, v[i + 2] + k
+}' >nested.off
+run 0 nested.off out.off --keep 100% --hidden drop --report report.json
+expect stderr '^nested.off: hidden faces: 12 of 24, 20 % of the area, dropped$'
+expect stderr '^nested.off:   inner component: 12 faces, area 24, volume 8, diagonal 3\.5$'
+expect report.json '"kind": "inner component"'
+expect report.json '"hidden": 12'
+expect_faces out.off 12
+run 0 nested.off out.off --keep 100% --hidden report
+expect stderr '^nested.off: hidden faces: 12 of 24, 20 % of the area$'
+expect_faces out.off 24
+run 0 nested.off out.off --keep 100% --hidden weight
+expect_nothing stderr
+expect_faces out.off 24
+run 0 plain.off out.off --keep 100% --hidden drop=0.2%
+expect stderr '^plain.off: hidden faces: 0 of 800, 0 % of the area$'
+expect_faces out.off 800
+for bad in x weight=1% drop=100% drop= drop=-1; do
+  run 2 nested.off out.off --hidden $bad
+  expect stderr '^--hidden: '
+done
+run 2 nested.off out.off --hidden drop --solid
+expect stderr '^--hidden drop does not go with --both-ways, --tolerance or --solid'
+run 2 whole.ply out.ply --out-of-core scratch --hidden drop
+expect stderr '.*--hidden'
+
 # The input may be the output
 run 0 plain.off plain.off
 expect_ratio plain.off 400

@@ -143,6 +143,12 @@ TEST_CASE(
     "The inside of a cup is seen through its opening, and that of a bottle through its neck") {
   CHECK(hidden(bottle(0.9)).count == 0);
   CHECK(hidden(bottle(0.2)).count == 0);
+  // A single free ray of 32 is above the threshold; more rays show that it was a rare one.
+  const Soup narrow = bottle(0.1);
+  const auto is_hidden = hidden(narrow, {.threshold = 0.02}).is_hidden;
+  for (std::size_t face = narrow.triangles.size() / 2; face < narrow.triangles.size(); ++face)
+    if (narrow.points[narrow.triangles[face][0]][2] < 0)
+      CHECK(is_hidden[face]);
   // Through this neck, a fraction of 0.0003 of the directions leads to the bottom.
   const HiddenFaces found = hidden(bottle(0.05));
   CHECK(found.count > 100);

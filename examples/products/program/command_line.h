@@ -103,6 +103,17 @@ inline void add_files(CLI::App& app, Options& options) {
                "cut IN into manifold sheets first: at edges of more than two faces, and where "
                "sheets touch at a vertex")
       ->group("Files");
+  app.add_option_function<std::string>(
+         "--hidden", [&](const std::string& word) { options.hidden = parse_hidden(word).value(); },
+         "faces of IN that are not seen from outside, such as inner walls: drop them first, or "
+         "only "
+         "report them, with cavities and their sizes; or weight, which keeps the more faces the "
+         "more is seen of them. drop=0.2% also takes those that are seen from this fraction of the "
+         "directions (default: 0.1%)")
+      ->check(word_that([](const std::string& word) { return parse_hidden(word).has_value(); },
+                        "drop, report or weight, or a fraction as in drop=0.2%"))
+      ->type_name("drop|report|weight")
+      ->group("Files");
   app.add_option("--into", options.folder,
                  "simplify several files: every word is an input file, whose result is written to "
                  "this folder under the same name; the folder is created if it does not exist")
@@ -186,6 +197,10 @@ inline void require_consistency(const Options& options) {
   reject_if((options.cuts_handles() || options.is_manifold) &&
                 is_gltf(extension_of(options.input, options)),
             "--cut-handles and --manifold do not go with glTF: its meshes are split at seams");
+  reject_if(options.hidden.drops() && (options.target.both_ways || options.keeps_solid ||
+                                       !options.target.tolerance.empty()),
+            "--hidden drop does not go with --both-ways, --tolerance or --solid: dropped faces are "
+            "not in OUT");
   reject_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
                                        options.cost == "thin-features"),
             "--crease goes with --cost quadric, color and texture only");

@@ -41,7 +41,8 @@ inline constexpr const char* options_of_recorded_runs[] = {
     "--lines",     "--normal-noise", "--noise",       "--squared-areas", "--importance",
     "--crease",    "--pairs",        "--normals",     "--solid",         "--no-self-intersection",
     "--seams",     "--order",        "--weld",        "--orient",        "--keep-partial",
-    "--region",    "--labels",       "--cut-handles", "--manifold",      "--preset"};
+    "--region",    "--labels",       "--cut-handles", "--manifold",      "--preset",
+    "--hidden"};
 
 /// Throws if an option is there that does not go with another one, with the reason.
 inline void reject_with(const CLI::App& app, const Exclusion& exclusion) {

@@ -7,6 +7,7 @@
 #include "../mesh_io/format.h"
 #include "../mesh_io/text.h"
 #include "asked_levels.h"
+#include "hidden.h"
 #include "target.h"
 
 #include <quadrille/channels.h>
@@ -57,6 +58,7 @@ struct Options {
   Amount handles;                        // up to this wide are cut; 0: none is
   bool is_manifold = false;              // is IN made so first?
   std::string preset;                    // a kind of surface; empty: none
+  HiddenChoice hidden;                   // what is done with faces that nobody sees
   bool drops_components = false;
   bool keeps_components = false;        // neither: see topology()
   bool forbids_intersections = false;   // of faces that do not intersect in IN

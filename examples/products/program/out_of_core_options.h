@@ -30,6 +30,7 @@ inline constexpr NotByChunks not_by_chunks[] = {
     {"--cut-handles", "a handle may lie in several chunks"},
     {"--preset", "a chunk does not see the surface of the others"},
     {"--manifold", "a chunk does not see the faces of the others"},
+    {"--hidden", "a chunk does not see the faces of the others"},
     {"--no-self-intersection", "a chunk does not see the faces of the others"},
     {"--solid", "a chunk does not see the faces of the others"},
     {"--normals", "the deviation of normals is not passed on from phase to phase"},

@@ -170,6 +170,20 @@ Json json_of(const quadrille::FileReport& parts) {
           {"left_out", parts.dropped}};
 }
 
+Json json_of(const HiddenSummary& hidden) {
+  Json groups = Json::array();
+  for (const HiddenSummary::Group& group : hidden.groups)
+    groups.push_back({{"kind", group.kind},
+                      {"faces", group.faces},
+                      {"area", group.area},
+                      {"volume", group.volume},
+                      {"diagonal", group.diagonal}});
+  return {{"mode", hidden.mode},          {"threshold", hidden.threshold},
+          {"faces", hidden.faces},        {"hidden", hidden.hidden},
+          {"area", hidden.area_fraction}, {"cut_edges", hidden.cut_edges},
+          {"groups", std::move(groups)}};
+}
+
 Json before_and_after(std::size_t before, std::size_t after) {
   return {{"before", before}, {"after", after}};
 }
@@ -232,6 +246,8 @@ Json json_of(const Outcome& outcome) {
     for (const char* const unknown : {"components", "non_manifold_edges", "non_manifold_vertices"})
       json[unknown] = nullptr;
   }
+  if (outcome.hidden)
+    json["hidden"] = json_of(*outcome.hidden);
   if (outcome.verdict)
     json["verified"] = json_of(*outcome.verdict);
   return json;

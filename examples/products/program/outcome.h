@@ -5,6 +5,7 @@
 /// What the program tells of its results: a line for people, hints, and figures as JSON.
 
 #include "figures.h"
+#include "hidden.h"
 #include "measure.h"
 #include "options.h"
 
@@ -37,6 +38,7 @@ struct Outcome {
   std::optional<quadrille::Verdict> verdict = {};
   std::optional<quadrille::FileReport> parts = {}; ///< of a run by parts
   bool has_labels = false; ///< has the input regions of several labels, materials say?
+  std::optional<HiddenSummary> hidden = {}; ///< of the input, if --hidden asks for it
   /// Those that are better, if any were tried because the target was not reached.
   std::optional<std::vector<Trial>> trials = {};
 

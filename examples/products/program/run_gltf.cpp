@@ -1,6 +1,8 @@
 #include "../mesh_io/gltf.h"
 #include "../mesh_io/gltf/compression.h"
+#include "../mesh_io/mesh/follow_triangles.h"
 #include "calibration.h"
+#include "hidden.h"
 #include "outcome.h"
 #include "runs.h"
 #include "simplify_mesh.h"
@@ -128,6 +130,7 @@ public:
       print_remark(options_,
                    "IN is compressed, OUT is not: --compress " + how + " compresses it again");
     placements_ = meshes.placements();
+    prepare_hidden(meshes.surfaces());
     if (options_.levels.empty()) {
       const Surfaces input =
           may_be_tried(options_, faces_of(meshes)) ? meshes.surfaces() : Surfaces();
@@ -144,6 +147,22 @@ public:
   }
 
 private:
+  /// Drops faces that nobody sees in the scene at rest, or weights vertices, as --hidden says.
+  void prepare_hidden(Surfaces& surfaces) {
+    const GltfSceneSurface scene(surfaces, placements_);
+    HiddenAnswer answer = find_hidden(options_, scene.points(), scene.triangles(), progress_);
+    hidden_ = std::move(answer.summary);
+    options_.importances = std::move(answer.importances);
+    if (answer.is_dropped.empty())
+      return;
+    auto first = answer.is_dropped.begin();
+    for (GltfSurface& surface : surfaces) {
+      const auto end = first + static_cast<std::ptrdiff_t>(surface.triangles.size());
+      surface.keep_faces(kept_triangles({first, end}));
+      first = end;
+    }
+  }
+
   static quadrille::Report simplify(GltfSceneSurface& scene, const Options& options) {
     return with_errors_of_file(options, [&] {
       quadrille::SoupOptions soup = soup_options(options, scene.points(), scene.triangles());
@@ -194,6 +213,7 @@ private:
     require_not_interrupted(options);
     outcomes_.push_back({name, options.target, report, diagonal});
     outcomes_.back().has_labels = scene.has_labels();
+    outcomes_.back().hidden = hidden_;
     if (options.measures || options.verifies)
       progress_.show_stage("measuring");
     if (options.measures)
@@ -267,8 +287,9 @@ private:
     });
   }
 
-  const Options& options_;
+  Options options_;
   ProgressLine& progress_;
+  std::optional<HiddenSummary> hidden_;
   std::vector<GltfPlacement> placements_; // of the meshes
   std::vector<Outcome> outcomes_;
 };

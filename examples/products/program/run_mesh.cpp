@@ -252,6 +252,7 @@ public:
     diagonal_ = diagonal(mesh.points, mesh.triangles);
     look_for_labels(mesh);
     compare_with_file(source, mesh);
+    hidden_ = prepare_hidden(options_, mesh, progress_);
     if (!options_.levels.empty())
       simplify_to_levels(mesh);
     else if (!options_.record.empty())
@@ -343,6 +344,7 @@ private:
     report.hausdorff_bound += moved_;
     outcomes_.push_back({file, asked_options.target, report, diagonal_});
     outcomes_.back().has_labels = has_labels_;
+    outcomes_.back().hidden = hidden_;
     contents_.push_back(content(file, mesh));
     if (input)
       progress_.show_stage("measuring");
@@ -425,7 +427,8 @@ private:
   const MeshFormat& format_;
   std::vector<std::string> files_, contents_;
   double diagonal_ = 0;
-  bool has_labels_ = false;         // of faces, materials say
+  bool has_labels_ = false; // of faces, materials say
+  std::optional<HiddenSummary> hidden_;
   std::optional<IndexedMesh> file_; // what IN is, where that has been moved; by so much at most
   double moved_ = 0;
   std::optional<IndexedMesh> to_try_; // the input, where other options may be tried

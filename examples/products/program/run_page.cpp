@@ -54,11 +54,13 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   print_preset(options);
   orient(options, shown.mesh);
   make_manifold(options, shown.mesh);
+  std::optional<HiddenSummary> hidden = prepare_hidden(options, shown.mesh, progress);
   Outcome outcome{.file = options.output,
                   .target = options.target,
                   .report = {},
                   .diagonal = diagonal(shown.mesh.points, shown.mesh.triangles),
-                  .has_labels = !FaceRegions(shown.mesh).labels().empty()};
+                  .has_labels = !FaceRegions(shown.mesh).labels().empty(),
+                  .hidden = std::move(hidden)};
   if (!options.target.is_given())
     options.target.faces = least_faces_of_page;
   AttributeRecorder recorder(shown, source.levels);

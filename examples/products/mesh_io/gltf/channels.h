@@ -2,6 +2,7 @@
 #define QUADRILLE_EXAMPLES_GLTF_CHANNELS_H
 
 #include "../attributes/mesh_channels.h"
+#include "../mesh/follow_triangles.h"
 #include "primitive.h"
 
 #include <quadrille/channels.h>
@@ -108,6 +109,12 @@ public:
   void take(std::vector<quadrille::SoupChannel> channels) {
     for (std::size_t i = 0; i < channels_.size(); ++i)
       channels_[i].values = std::move(channels[i]);
+  }
+
+  /// Keeps what the corners of some faces have.
+  void keep_faces(const std::vector<std::size_t>& kept) {
+    for (GltfChannel& channel : channels_)
+      follow_triangles(channel.values.triangles, kept);
   }
 
 private:

@@ -132,6 +132,13 @@ public:
     channels_.take(std::move(rest.values));
   }
 
+  /// Keeps some faces, with whatever belongs to their corners, and all points.
+  void keep_faces(const std::vector<std::size_t>& kept) {
+    follow_triangles(triangles, kept);
+    follow_triangles(label_of_, kept);
+    channels_.keep_faces(kept);
+  }
+
   /// The primitive that a face is in, by its number among those of the surface.
   std::size_t primitive_of(std::size_t face) const { return labels_[label_of_[face]].primitive; }
 

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_MESH_IO_MANIFOLD_H
 #define QUADRILLE_EXAMPLES_MESH_IO_MANIFOLD_H
 
+#include "follow_triangles.h"
 #include "indexed_mesh.h"
 
 #include <quadrille/manifold.h>
@@ -8,21 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace quadrille_examples {
-
-/// One value for each triangle, as that of which it is a part has it.
-template <class Value>
-void follow_triangles(std::vector<Value>& values, const std::vector<std::size_t>& triangles) {
-  if (values.empty())
-    return;
-  std::vector<Value> result;
-  for (const std::size_t triangle : triangles)
-    result.push_back(values[triangle]);
-  values = std::move(result);
-}
 
 /// Cuts a mesh into manifold sheets, with what points and triangles have. In the middle of an edge
 /// lies what its first end has. Throws std::runtime_error where values of points have seams.
