@@ -264,9 +264,6 @@ Report simplify_by_cost(SoupRun& run, const Cost& cost) {
   if constexpr (has_bare_engine<Cost>) {
     if (!run.is_carrying())
       return simplify_by(run, weighted, placement, order);
-  } else if (run.options.simplified_topology) {
-    throw std::invalid_argument("quadrille::simplified_soup: simplified_topology needs the cost "
-                                "quadric in this build, and no channels");
   }
   return simplify_with_all(run, weighted, placement, order);
 }
