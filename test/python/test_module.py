@@ -275,6 +275,31 @@ class Results(Folder):
         with self.assertRaisesRegex(ValueError, r"^eye has the shape \(2,\), not \(3,\)"):
             quadrille.view_importance(flat, faces, eye=[1, 2])
 
+    def test_hidden_faces_are_found_and_removed(self):
+        points, faces, _ = torus(24)
+        count = len(faces)
+        corners = np.arange(8)  # of a cube around the torus
+        shell = 9.0 * np.stack([corners % 2, corners // 2 % 2, corners // 4], axis=-1) - 4.5
+        shell_faces = np.array([[0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4], [2, 6, 3], [3, 6, 7],
+                                [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5]], np.uint32)
+        mesh = quadrille.Mesh(np.concatenate([points, shell]), np.concatenate([faces, shell_faces + len(points)]),
+                              labels=np.arange(count + len(shell_faces)))
+        found = quadrille.hidden_faces(mesh)
+        self.assertEqual((found.is_hidden[:count].all(), found.is_hidden[count:].any()), (True, False))
+        self.assertEqual([len(group.faces) for group in found.groups], [count])
+        self.assertIn(found.groups[0].kind, ("inner component", "cavity"))
+        self.assertGreater(found.groups[0].volume, 0)
+        self.assertRegex(repr(found), f"{count} of {len(mesh.faces)} faces hidden")
+        seen = quadrille.remove_hidden(mesh)
+        self.same(seen.faces, shell_faces + len(points))
+        self.same(seen.labels, np.arange(count, count + len(shell_faces)))
+        fractions = quadrille.visibility(mesh, directions=32)
+        self.assertTrue((fractions.faces[count:] == 1).all() and (fractions.points[:len(points)] == 0).all())
+        self.assertEqual(fractions.importance.min(), 1 / 512)
+        self.assertTrue(quadrille.hidden_faces(mesh, progress=lambda fraction: False).is_cancelled)
+        with self.assertRaisesRegex(ValueError, "8 directions are not between 16 and 1048576"):
+            quadrille.hidden_faces(mesh, directions=8)
+
     def test_lines_and_noise_are_options(self):
         points, faces, _ = torus(24)
         plain = quadrille.simplify(points, faces, ratio=0.2)

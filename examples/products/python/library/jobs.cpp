@@ -50,7 +50,7 @@ void give_winding(const Work& work) {
 using Job = void (*)(const Work&);
 
 Job job_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, Job>, 8> jobs{
+  constexpr std::array<std::pair<std::string_view, Job>, 10> jobs{
       {{"read_mesh", read_file},
        {"write_mesh", write_file},
        {"surface_distance", measure_distance},
@@ -58,7 +58,9 @@ Job job_of(std::string_view name) {
        {"simplify_gltf", simplify_document},
        {"curvature_importance", give_curvature},
        {"view_importance", give_view},
-       {"winding", give_winding}}};
+       {"winding", give_winding},
+       {"hidden_faces", find_hidden},
+       {"visibility", find_visibility}}};
   for (const auto& [known, job] : jobs)
     if (known == name)
       return job;

@@ -36,6 +36,8 @@ void read_file(const Work& work);
 void write_file(const Work& work);
 void measure_distance(const Work& work);
 void verify_result(const Work& work);
+void find_hidden(const Work& work);
+void find_visibility(const Work& work);
 void simplify_document(const Work& work);
 
 // --- glTF, where nlohmann_json is there

@@ -17,6 +17,8 @@ SparseMap   where the points of the input are on the result, and the other way r
 read_mesh, write_mesh  files: OFF, OBJ, PLY, STL, GOCAD
 simplify_gltf  glTF documents, from file to file
 simplify_file, FileJob  surfaces larger than memory, from file to file, in chunks
+hidden_faces, remove_hidden  faces that are not seen from outside
+visibility  how much of each face and point is seen, also for simplify(importance=...)
 curvature_importance, view_importance  for simplify(importance=...): where to keep more faces
 surface_distance  how far two surfaces are from each other
 verify      checks whether a result keeps its promises
@@ -29,6 +31,7 @@ from ._core import Contraction, FileEstimate, FileStatus, Pair, Report, Status
 from ._file_jobs import FileJob, SimplifiedFile, simplify_file
 from ._files import read_mesh, write_mesh
 from ._gltf import simplify_gltf
+from ._hidden import HiddenFaces, HiddenGroup, Visibility, hidden_faces, remove_hidden, visibility
 from ._importance import curvature_importance, view_importance
 from ._levels import Level, Levels, Splits
 from ._maps import SparseMap
@@ -37,7 +40,8 @@ from ._mesh import Channel, Mesh, Simplified
 from ._simplify import simplify
 
 __version__: str = _core.version
-__all__ = ["Channel", "Contraction", "Distance", "FileEstimate", "FileJob", "FileStatus", "Finding", "Level",
-           "Levels", "Mesh", "Pair", "Report", "Simplified", "SimplifiedFile", "SparseMap", "Splits", "Status",
-           "Verdict", "curvature_importance", "read_mesh", "simplify", "simplify_file", "simplify_gltf",
-           "surface_distance", "verify", "view_importance", "write_mesh"]
+__all__ = ["Channel", "Contraction", "Distance", "FileEstimate", "FileJob", "FileStatus", "Finding", "HiddenFaces",
+           "HiddenGroup", "Level", "Levels", "Mesh", "Pair", "Report", "Simplified", "SimplifiedFile", "SparseMap",
+           "Splits", "Status", "Verdict", "Visibility", "curvature_importance", "hidden_faces", "read_mesh",
+           "remove_hidden", "simplify", "simplify_file", "simplify_gltf", "surface_distance", "verify",
+           "view_importance", "visibility", "write_mesh"]

@@ -9,7 +9,7 @@ import math
 import sys
 import time
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_void_p, string_at
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
@@ -834,6 +834,28 @@ def _at_times(proceeds: Callable[[float], int]) -> Callable[[float], int]:
         return proceeds(part)
 
     return ask
+
+
+def hidden_faces(points: Array, faces: Array, directions: int, front_only: bool, threads: int, threshold: float,
+                 progress: Any) -> Tuple[Array, List[Any], List[float]]:
+    bag = Bag(points=points, faces=faces, directions=directions, front_only=front_only, threads=threads,
+              threshold=threshold)
+    taken = _do_with_progress(bag, "hidden_faces", progress)
+    parts = np.split(taken["group_faces"], taken["group_ends"][:-1])
+    groups = [(kind, part, *sizes) for kind, part, sizes in zip(texts_in(taken, "kinds"), parts, taken["sizes"].tolist())]
+    return taken["is_hidden"].astype(bool), groups, taken["figures"].tolist()
+
+
+def visibility(points: Array, faces: Array, directions: int, front_only: bool, threads: int, least: float,
+               progress: Any) -> Tuple[Array, Array, Array]:
+    bag = Bag(points=points, faces=faces, directions=directions, front_only=front_only, threads=threads, least=least)
+    taken = _do_with_progress(bag, "visibility", progress)
+    return taken["of_faces"], taken["of_points"], taken["importance"]
+
+
+def _do_with_progress(bag: Bag, job: str, progress: Any) -> Mapping[str, Array]:
+    caught: List[BaseException] = []
+    return bag.do(job, None, guarded(PART_FUNCTION, _at_times(_proceeds(progress)), -1, caught), caught)
 
 
 def curvature_importance(points: Array, faces: Array, strength: float) -> Array:
