@@ -109,6 +109,8 @@ def matrix(program, seeds):
         for tunnels, floaters, rounds, seed in itertools.product((0, 0.002, 0.02), (0, 200, 2000), (0, 2, 5), seeds):
             generate(path, 60, seed, tunnels, floaters, rounds)
             total = len(read_ply(path)[1])
+            print(f"{runs} counts, {failed} failures; next: tunnels {tunnels}, floaters {floaters}, rounds {rounds}, "
+                  f"seed {seed}, {total} faces", file=sys.stderr, flush=True)
             for faces, mode in itertools.product((total // 4, total // 20, 500), MODES):
                 runs += 1
                 for failure in failures_of(program, path, folder, faces, mode):
