@@ -1,9 +1,6 @@
 #ifndef QUADRILLE_PLANAR_PATCHES_H
 #define QUADRILLE_PLANAR_PATCHES_H
 
-// This header includes CGAL's constrained Delaunay triangulation, which is GPL: a program that
-// includes it comes under the GPL (or CGAL's commercial licence).
-
 #include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/channel_options.h>

@@ -1,7 +1,5 @@
-// Polygons of files that are read by parts, against those that are read into memory.
-#include "../../examples/products/mesh_io/mesh/triangulate.h"
-
-#include <quadrille/internal/file/polygon_cut.h>
+// Polygons of files, which become triangles.
+#include <quadrille/internal/core/surface/polygon_cut.h>
 
 #include <catch2/catch.hpp>
 
@@ -17,27 +15,8 @@ namespace {
 
 using quadrille::Vector;
 using quadrille::internal::PolygonCut;
-using quadrille_examples::Point;
-using quadrille_examples::PolygonTriangulation;
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-// In an order of their own, from the least corner on.
-Triangles sorted(Triangles triangles) {
-  for (auto& t : triangles)
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
-Triangles in_memory(const std::vector<Vector<3>>& corners) {
-  std::vector<Point> points;
-  for (const Vector<3>& p : corners)
-    points.emplace_back(p[0], p[1], p[2]);
-  Triangles triangles;
-  REQUIRE(PolygonTriangulation(points).append_to(triangles));
-  return triangles;
-}
 
 /// Around a center, on a plane that is tilted and not quite flat.
 std::vector<Vector<3>> star(std::size_t corners, double depth, std::mt19937_64& generator) {
@@ -55,16 +34,37 @@ std::vector<Vector<3>> star(std::size_t corners, double depth, std::mt19937_64& 
 
 } // namespace
 
-TEST_CASE("Polygons are cut as in memory, convex or not") {
+TEST_CASE("Polygons are covered once, convex or not") {
   std::mt19937_64 generator(1);
   for (const double depth : {0.0, 0.5, 0.95})
-    for (std::size_t corners = 4; corners < 40; ++corners) {
+    for (std::size_t corners = 5; corners < 40; ++corners) {
       INFO(corners << " corners, depth " << depth);
       std::vector<Vector<3>> polygon = star(corners, depth, generator);
-      CHECK(sorted(PolygonCut::triangles(polygon)) == sorted(in_memory(polygon)));
-      std::reverse(polygon.begin(), polygon.end());
-      CHECK(sorted(PolygonCut::triangles(polygon)) == sorted(in_memory(polygon)));
+      for (const double side : {1.0, -1.0}) {
+        Vector<3> outline{}, covered{};
+        for (std::size_t i = 0; i < corners; ++i)
+          outline =
+              outline + cross(polygon[i] - polygon[0], polygon[(i + 1) % corners] - polygon[0]);
+        std::uint64_t fans = 0;
+        const Triangles triangles = PolygonCut::triangles(polygon, &fans);
+        CHECK(triangles.size() == corners - 2);
+        CHECK(fans == 0);
+        for (const auto& [a, b, c] : triangles) {
+          const Vector<3> area = cross(polygon[b] - polygon[a], polygon[c] - polygon[a]);
+          CHECK(side * area[2] > 0);
+          covered = covered + area;
+        }
+        CHECK(covered[2] == Approx(outline[2]));
+        std::reverse(polygon.begin(), polygon.end());
+      }
     }
+}
+
+TEST_CASE("A polygon of 20,000 corners takes no longer than it must") {
+  std::mt19937_64 generator(2);
+  std::uint64_t fans = 0;
+  CHECK(PolygonCut::triangles(star(20'000, 0.3, generator), &fans).size() == 19'998);
+  CHECK(fans == 0);
 }
 
 TEST_CASE("Corners on a line make no triangle without area") {

@@ -11,8 +11,10 @@
 #include "polygon_soup.h"
 #include "snap.h"
 #include "surface_joining.h"
-#include "triangulate.h"
 #include "weld.h"
+
+#include <quadrille/internal/core/surface/polygon_cut.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +64,7 @@ public:
   }
 
 private:
-  using Triangle = PolygonTriangulation::Triangle;
+  using Triangle = std::array<std::uint32_t, 3>;
 
   static bool is_finite(const Point& p) {
     return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
@@ -166,25 +168,15 @@ private:
 
   /// False if it had to be cut into a fan.
   bool append_polygon(std::size_t polygon) {
-    triangles_.clear();
-    const bool is_simple = corners_.size() == 3 || cut();
-    if (triangles_.empty())
-      append_fan();
-    for (const Triangle& triangle : triangles_)
+    outline_.clear();
+    for (const std::size_t corner : corners_) {
+      const Point& p = mesh_.points[soup_.corners[corner]];
+      outline_.push_back({{p.x(), p.y(), p.z()}});
+    }
+    std::uint64_t fans = 0;
+    for (const Triangle& triangle : quadrille::internal::PolygonCut::triangles(outline_, &fans))
       append_triangle(triangle, polygon);
-    return is_simple;
-  }
-
-  bool cut() {
-    std::vector<Point> outline;
-    for (const std::size_t corner : corners_)
-      outline.push_back(mesh_.points[soup_.corners[corner]]);
-    return PolygonTriangulation(outline).append_to(triangles_);
-  }
-
-  void append_fan() {
-    for (std::uint32_t i = 2; i < corners_.size(); ++i)
-      triangles_.push_back({0, i - 1, i});
+    return fans == 0;
   }
 
   /// What has no value at its corners gets a constant one, that no face is written with.
@@ -231,7 +223,7 @@ private:
   bool keeps_corners_;                   // does the soup say what the corners of its polygons have?
   IndexedMesh mesh_;
   std::vector<std::size_t> corners_; // of a polygon: where they are among those of the soup
-  std::vector<Triangle> triangles_;  // of a polygon: which of these
+  std::vector<quadrille::Vector<3>> outline_; // of a polygon: where these are
 };
 
 } // namespace quadrille_examples

@@ -6,7 +6,7 @@
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/ply_output.h>
 #include <quadrille/internal/file/ply_rows.h>
-#include <quadrille/internal/file/polygon_cut.h>
+#include <quadrille/internal/core/surface/polygon_cut.h>
 #include <quadrille/internal/file/rows.h>
 #include <quadrille/internal/file/written_vertices.h>
 

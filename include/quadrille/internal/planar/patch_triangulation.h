@@ -2,16 +2,10 @@
 #define QUADRILLE_INTERNAL_PLANAR_PATCH_TRIANGULATION_H
 
 #include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/surface/constrained_triangulation.h>
 #include <quadrille/internal/planar/patch_boundaries.h>
 #include <quadrille/internal/planar/surface_sides.h>
 #include <quadrille/quadric_form.h>
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <array>
@@ -65,21 +59,17 @@ public:
 
 private:
   struct FaceInfo {
-    std::array<Index, 3> sections; // sections of the boundary, opposite to each corner, with the
-                                   // face on the left
-    std::array<Index, 3> corners; // sides of the input
-    Index number;                 // its number among the triangles inside
+    std::array<Index, 3> sections{none, none, none}; // sections of the boundary, opposite to each
+                                                     // corner, with the face on the left
+    std::array<Index, 3> corners{none, none, none}; // sides of the input
+    Index number = none;                            // its number among the triangles inside
   };
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-  using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-      Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
-  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-      Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-      CGAL::No_constraint_intersection_requiring_constructions_tag>;
-  using Face = Triangulation::Face_handle;
-  using Vertex = Triangulation::Vertex_handle;
+  using Triangle = ConstrainedTriangulation::Triangle;
 
+  static std::size_t ccw(std::size_t i) { return (i + 1) % 3; }
+  static std::size_t cw(std::size_t i) { return (i + 2) % 3; }
+
+  const Triangle& triangle(Index face) const { return triangulation_.triangles()[face]; }
   Index place(Index side) const { return boundaries_.place(sides_.to(side)); }
   Index number(Index side) const { return number_[place(side)]; }
 
@@ -102,29 +92,16 @@ private:
   bool insert(const Vector<3>& normal, std::span<const BoundarySection> boundary) {
     if (boundary.empty() || normal == Vector<3>{})
       return false;
-    triangulation_.clear();
-    vertices_.clear();
+    points_.clear();
     const auto [u, v] = axes(normal);
-    try {
-      Face near;
-      for (Index place : places_) {
-        const Vector<3> p = positions_[place] - positions_[places_[0]];
-        vertices_.push_back(triangulation_.insert({dot(p, u), dot(p, v)}, near));
-        vertices_.back()->info() = static_cast<Index>(vertices_.size() - 1);
-        near = vertices_.back()->face();
-      }
-      if (triangulation_.number_of_vertices() != places_.size() || triangulation_.dimension() != 2)
-        return false;
-      for (const BoundarySection& section : boundary) {
-        if (number(section.from) == number(section.to))
-          return false;
-        triangulation_.insert_constraint(vertices_[number(section.from)],
-                                         vertices_[number(section.to)]);
-      }
-    } catch (const Triangulation::Intersection_of_constraints_exception&) {
-      return false;
+    for (Index place : places_) {
+      const Vector<3> p = positions_[place] - positions_[places_[0]];
+      points_.emplace_back(dot(p, u), dot(p, v));
     }
-    return true;
+    return triangulation_.insert(points_) &&
+           std::all_of(boundary.begin(), boundary.end(), [&](const BoundarySection& section) {
+             return triangulation_.constrain(number(section.from), number(section.to));
+           });
   }
 
   // Returns two vectors of length 1 that form a right-handed frame with a normal.
@@ -153,21 +130,20 @@ private:
     const auto is_less = [](const Directed& a, const Directed& b) { return a.ends() < b.ends(); };
     std::sort(directed.begin(), directed.end(), is_less);
     std::size_t found = 0;
-    for (Face face : triangulation_.all_face_handles()) {
-      face->info() = {{none, none, none}, {none, none, none}, none};
-      for (int i = 0; i < 3; ++i) {
-        if (triangulation_.is_infinite(face) || !face->is_constrained(i))
+    infos_.assign(triangulation_.triangles().size(), {});
+    for (Index face = 0; face < infos_.size(); ++face)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Triangle& t = triangle(face);
+        if (t.is_infinite() || !t.is_constrained[i])
           continue;
-        const Directed wanted{face->vertex(face->ccw(i))->info(), face->vertex(face->cw(i))->info(),
-                              none};
+        const Directed wanted{t.corners[ccw(i)], t.corners[cw(i)], none};
         const auto [begin, end] =
             std::equal_range(directed.begin(), directed.end(), wanted, is_less);
         if (begin == end)
           continue;
-        face->info().sections[static_cast<std::size_t>(i)] = begin->section;
+        infos_[face].sections[i] = begin->section;
         ++found;
       }
-    }
     return found == boundary.size();
   }
 
@@ -175,25 +151,25 @@ private:
   // Returns false if that leads to the right of the boundary.
   bool find_inside() {
     inside_.clear();
-    const auto add = [&](Face face) {
-      if (face->info().number != none)
+    const auto add = [&](Index face) {
+      if (infos_[face].number != none)
         return;
-      face->info().number = static_cast<Index>(inside_.size());
+      infos_[face].number = static_cast<Index>(inside_.size());
       inside_.push_back(face);
     };
-    for (Face face : triangulation_.finite_face_handles())
-      if (face->info().sections != std::array<Index, 3>{none, none, none})
+    for (Index face = 0; face < infos_.size(); ++face)
+      if (infos_[face].sections != std::array<Index, 3>{none, none, none})
         add(face);
     for (std::size_t k = 0; k < inside_.size(); ++k)
-      for (int i = 0; i < 3; ++i) {
-        const Face face = inside_[k];
-        if (face->is_constrained(i) && face->info().sections[static_cast<std::size_t>(i)] == none)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Triangle& t = triangle(inside_[k]);
+        if (t.is_constrained[i] && infos_[inside_[k]].sections[i] == none)
           return false;
-        if (face->is_constrained(i))
+        if (t.is_constrained[i])
           continue;
-        if (triangulation_.is_infinite(face->neighbor(i)))
+        if (triangle(t.mates[i]).is_infinite())
           return false;
-        add(face->neighbor(i));
+        add(t.mates[i]);
       }
     return !inside_.empty();
   }
@@ -201,28 +177,28 @@ private:
   // Assigns to all corners of a sector the end of the boundary section that leads to it, and to all
   // corners of a vertex inside its own. Returns false if a corner is left.
   bool find_corners(std::span<const BoundarySection> boundary, std::span<const Index> inner) {
-    for (Face first : inside_)
-      for (int i = 0; i < 3; ++i) {
-        const Index section = first->info().sections[static_cast<std::size_t>(i)];
+    for (Index first : inside_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index section = infos_[first].sections[i];
         if (section == none)
           continue;
-        const Vertex v = first->vertex(first->cw(i));
-        for (Face face = first;;) {
-          const int at = face->index(v);
-          face->info().corners[static_cast<std::size_t>(at)] = boundary[section].to;
-          if (face->is_constrained(face->cw(at)))
+        const Index v = triangle(first).corners[cw(i)];
+        for (Index face = first;;) {
+          const std::size_t at = triangle(face).corner(v);
+          infos_[face].corners[at] = boundary[section].to;
+          if (triangle(face).is_constrained[cw(at)])
             break;
-          face = face->neighbor(face->cw(at));
+          face = triangle(face).mates[cw(at)];
         }
       }
     std::vector<Index> corner_inside(places_.size(), none);
     for (Index side : inner)
       corner_inside[number(side)] = side;
-    for (Face face : inside_)
-      for (int i = 0; i < 3; ++i) {
-        Index& corner = face->info().corners[static_cast<std::size_t>(i)];
+    for (Index face : inside_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        Index& corner = infos_[face].corners[i];
         if (corner == none)
-          corner = corner_inside[face->vertex(i)->info()];
+          corner = corner_inside[triangle(face).corners[i]];
         if (corner == none)
           return false;
       }
@@ -231,14 +207,14 @@ private:
 
   std::vector<PatchTriangle> inside_triangles() const {
     std::vector<PatchTriangle> triangles;
-    for (Face face : inside_) {
-      PatchTriangle triangle{face->info().corners, {none, none, none}};
-      for (int i = 0; i < 3; ++i) { // the side to a corner is opposite to the next one
-        const int opposite = face->ccw(i);
-        if (!face->is_constrained(opposite))
-          triangle.mates[static_cast<std::size_t>(i)] = face->neighbor(opposite)->info().number;
+    for (Index face : inside_) {
+      PatchTriangle made{infos_[face].corners, {none, none, none}};
+      for (std::size_t i = 0; i < 3; ++i) { // the side to a corner is opposite to the next one
+        const std::size_t opposite = ccw(i);
+        if (!triangle(face).is_constrained[opposite])
+          made.mates[i] = infos_[triangle(face).mates[opposite]].number;
       }
-      triangles.push_back(triangle);
+      triangles.push_back(made);
     }
     return triangles;
   }
@@ -248,9 +224,10 @@ private:
   const PatchBoundaries& boundaries_;
   std::vector<Index> number_; // for each vertex, its index in places_; none for others
   std::vector<Index> places_;
-  std::vector<Vertex> vertices_; // for each place
-  std::vector<Face> inside_;
-  Triangulation triangulation_;
+  std::vector<ConstrainedTriangulation::Point> points_; // for each place
+  ConstrainedTriangulation triangulation_;
+  std::vector<FaceInfo> infos_; // for each of its triangles
+  std::vector<Index> inside_;   // triangles
 };
 
 } // namespace quadrille::internal
