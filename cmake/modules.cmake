@@ -7,7 +7,7 @@ set(levels_headers level_maps.h level_splits.h level_steps.h levels.h levels_fil
 set(cluster_headers cluster.h)
 set(planar_headers planar_patches.h boundaries.h)
 set(visibility_headers hidden.h)
-set(verify_headers distance.h verdict.h verify.h)
+set(verify_headers bounded_hausdorff.h distance.h verdict.h verify.h)
 set(file_headers file.h file_distance.h file_report.h mpi.h)
 set(compiled_headers compiled.h)
 set(c_headers quadrille.h)

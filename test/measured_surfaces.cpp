@@ -1,6 +1,7 @@
 // Each call of <quadrille/distance.h>, for what only has to compile.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <quadrille/bounded_hausdorff.h>
 #include <quadrille/distance.h>
 
 #include <array>

@@ -3,9 +3,6 @@
 // Measures how far apart two surfaces are that lie in files and do not fit into memory, and
 // verifies the claims made of a result. This header only measures, and quadrille/file.h never
 // includes it.
-//
-// Licence: this file is MIT, but it includes <quadrille/distance.h>, which includes parts of CGAL
-// that are GPL-3.0-or-later (or commercial). A program that includes it is bound by their terms.
 
 #ifndef QUADRILLE_FILE_DISTANCE_H
 #define QUADRILLE_FILE_DISTANCE_H

@@ -3,10 +3,6 @@
 // Verifies whether a result keeps the claims made of it. This header only measures. It shares no
 // code with the simplification, except for the reading of points and triangles, and
 // quadrille/simplify.h never includes it.
-//
-// Licence: this file is MIT, but it includes CGAL's Polygon Mesh Processing, box intersection and
-// Surface_mesh, which are GPL-3.0-or-later (or commercial). A program that includes it is bound by
-// their terms.
 
 #ifndef QUADRILLE_VERIFY_H
 #define QUADRILLE_VERIFY_H

@@ -4,6 +4,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/bounded_hausdorff.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>

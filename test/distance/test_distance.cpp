@@ -1,6 +1,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/bounded_hausdorff.h>
 #include <quadrille/distance.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -4,6 +4,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/bounded_hausdorff.h>
 #include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
 #include <quadrille/distance.h>

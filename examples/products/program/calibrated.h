@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Simplifies as far as a measured distance allows.
-//
-// Licence: this file is MIT, but it includes quadrille/distance.h and more that includes code
-// of CGAL under GPL-3.0-or-later (or commercial). A program that includes it is bound by its terms.
 
 #ifndef QUADRILLE_EXAMPLES_CALIBRATED_H
 #define QUADRILLE_EXAMPLES_CALIBRATED_H

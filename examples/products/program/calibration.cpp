@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// It includes calibrated.h, which includes GPL parts of CGAL.
 #include "calibration.h"
 
 #include "../mesh_io/mesh/bounding_box.h"

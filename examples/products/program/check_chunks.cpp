@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// It includes <quadrille/file_distance.h>, which includes GPL parts of CGAL.
 #include "check_chunks.h"
 
 #include <quadrille/file_distance.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// It includes <quadrille/distance.h>, which includes GPL parts of CGAL.
 #include "measure.h"
 
 #include "../mesh_io/mesh/indexed_mesh.h"

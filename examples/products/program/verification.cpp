@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// It includes <quadrille/verify.h>, which includes GPL parts of CGAL.
 #include "verification.h"
 
 #include "../mesh_io/mesh/indexed_mesh.h"

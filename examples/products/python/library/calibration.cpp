@@ -1,4 +1,3 @@
-// It includes calibrated.h, which includes GPL parts of CGAL.
 #include "package.h"
 
 #include "../../program/calibrated.h"

@@ -1,4 +1,3 @@
-// It includes <quadrille/verify.h> and <quadrille/distance.h>, which include GPL parts of CGAL.
 #include "jobs.h"
 
 #include <quadrille/distance.h>

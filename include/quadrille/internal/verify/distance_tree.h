@@ -1,23 +1,16 @@
 #ifndef QUADRILLE_INTERNAL_VERIFY_DISTANCE_TREE_H
 #define QUADRILLE_INTERNAL_VERIFY_DISTANCE_TREE_H
 
-// CGAL's AABB tree is GPL: see <quadrille/distance.h>, the only header that includes this one.
-
 #include <quadrille/internal/verify/distance_surface.h>
+#include <quadrille/internal/verify/face_tree.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_NR >= 1060000000 // since 6.0 the names say that space has three dimensions
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -58,41 +51,52 @@ inline DistancePoint nearest_on_triangle(const DistanceTriangle& t, const Distan
   return best;
 }
 
-/// The plain kernel with a projection onto triangles that accepts degenerate ones.
-struct DistanceKernel : CGAL::Simple_cartesian<double> {
-  struct Construct_projected_point_3 {
-    using result_type = DistancePoint;
-    DistancePoint operator()(const DistanceTriangle& t, const DistancePoint& query) const {
-      return nearest_on_triangle(t, query);
-    }
-  };
-  Construct_projected_point_3 construct_projected_point_3_object() const { return {}; }
-};
-
 /// A surface that is prepared for queries of its nearest point: it takes O(n log n) to build and
 /// about O(log n) per query.
 class DistanceTree {
 public:
+  /// There must be at least one triangle.
   explicit DistanceTree(const std::vector<DistanceTriangle>& triangles)
-      : tree_(triangles.begin(), triangles.end()) {
-    tree_.build();
-    tree_.accelerate_distance_queries();
+      : tree_(
+            triangles.size(),
+            [&](std::size_t face) -> const DistanceTriangle& { return triangles[face]; }, [] {}) {
+    triangles_.reserve(triangles.size());
+    for (const std::size_t face : tree_.order())
+      triangles_.push_back(triangles[face]);
   }
 
   double squared_distance(const DistancePoint& query) const {
-    return CGAL::squared_distance(query, tree_.closest_point(query));
+    double least = std::numeric_limits<double>::infinity();
+    look_into(0, query, least);
+    return least;
   }
 
 private:
-  using Iterator = std::vector<DistanceTriangle>::const_iterator;
-#if CGAL_VERSION_NR >= 1060000000
-  using Primitive = CGAL::AABB_triangle_primitive_3<DistanceKernel, Iterator>;
-  using Traits = CGAL::AABB_traits_3<DistanceKernel, Primitive>;
-#else
-  using Primitive = CGAL::AABB_triangle_primitive<DistanceKernel, Iterator>;
-  using Traits = CGAL::AABB_traits<DistanceKernel, Primitive>;
-#endif
-  CGAL::AABB_tree<Traits> tree_;
+  void look_into(std::size_t at, const DistancePoint& query, double& least) const {
+    const FaceTree::Node& node = tree_.nodes()[at];
+    if (node.is_leaf()) {
+      for (std::size_t i = node.begin; i < node.end; ++i)
+        look_at(triangles_[i], query, least);
+      return;
+    }
+    const auto half = [&](std::size_t which) {
+      return std::pair(internal::squared_distance(tree_.nodes()[which].box, query), which);
+    };
+    std::array<std::pair<double, std::size_t>, 2> halves{half(at + 1), half(node.second)};
+    if (halves[1].first < halves[0].first)
+      std::swap(halves[0], halves[1]);
+    for (const auto& [distance2, which] : halves)
+      if (distance2 < least)
+        look_into(which, query, least);
+  }
+
+  static void look_at(const DistanceTriangle& t, const DistancePoint& query, double& least) {
+    if (internal::squared_distance(t.bbox(), query) < least)
+      least = (std::min)(least, CGAL::squared_distance(query, nearest_on_triangle(t, query)));
+  }
+
+  FaceTree tree_;
+  std::vector<DistanceTriangle> triangles_; // in the tree's order
 };
 
 } // namespace quadrille::internal

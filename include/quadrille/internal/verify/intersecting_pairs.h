@@ -3,11 +3,12 @@
 
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_surface.h>
+#include <quadrille/internal/verify/distance_surface.h>
+#include <quadrille/internal/verify/face_tree.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -41,22 +42,26 @@ public:
     Kind pass_through; ///< each other
   };
 
-  /// Finds the pairs by a sweep over the boxes of the faces: O(n log³ n + k) for k pairs of boxes
-  /// that meet.
+  /// Finds the pairs by a tree of boxes: about O(n log n + k) for k pairs of boxes that meet.
   Found find(CheckProgress& progress) const {
-    using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-    std::vector<Box> boxes;
+    std::vector<std::size_t> faces; // with an area
     for (std::size_t face = 0; face < surface_.triangles.size(); ++face)
-      if (const auto triangle = exact_triangle(face); !triangle.is_degenerate())
-        boxes.emplace_back(triangle.bbox(), face);
+      if (!exact_triangle(face).is_degenerate())
+        faces.push_back(face);
     Found found;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      progress.step();
-      if (!intersect(a.info(), b.info()))
+    if (faces.empty())
+      return found;
+    std::vector<DistanceTriangle> triangles;
+    for (const std::size_t face : faces)
+      triangles.push_back(triangle(face));
+    const FaceTree tree(
+        faces.size(),
+        [&](std::size_t i) -> const DistanceTriangle& { return triangles[i]; }, [] {});
+    tree.for_each_near_pair([&](std::size_t i, std::size_t j) {
+      if (!CGAL::do_overlap(triangles[i].bbox(), triangles[j].bbox()))
         return;
-      found.meet.add(a.info(), b.info());
-      if (pass_through(a.info(), b.info()))
-        found.pass_through.add(a.info(), b.info());
+      progress.step();
+      add(faces[i], faces[j], found);
     });
     return found;
   }
@@ -76,6 +81,20 @@ private:
   Kernel::Triangle_3 exact_triangle(std::size_t face) const {
     const auto& [a, b, c] = surface_.triangles[face];
     return {exact_point(a), exact_point(b), exact_point(c)};
+  }
+
+  DistanceTriangle triangle(std::size_t face) const {
+    const auto& [a, b, c] = surface_.triangles[face];
+    return {distance_point(surface_.points[a]), distance_point(surface_.points[b]),
+            distance_point(surface_.points[c])};
+  }
+
+  void add(std::size_t a, std::size_t b, Found& found) const {
+    if (!intersect(a, b))
+      return;
+    found.meet.add(a, b);
+    if (pass_through(a, b))
+      found.pass_through.add(a, b);
   }
 
   bool intersect(std::size_t a, std::size_t b) const {
