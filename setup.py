@@ -49,8 +49,9 @@ class CMakeBuild(build_py):
             "CMAKE_BUILD_TYPE": "Release",
             "QUADRILLE_BUILD_TESTS": "OFF",
             "Python3_EXECUTABLE": sys.executable,
-            # Said at once where it is missing; otherwise the module would be left out.
+            # Said at once where they are missing; otherwise the module, or a part of it, would be left out.
             "CMAKE_REQUIRE_FIND_PACKAGE_Python3": "ON",
+            "CMAKE_REQUIRE_FIND_PACKAGE_nanoflann": "ON",
             # The module needs no models, and nothing that npm fetches.
             "QUADRILLE_DATA_DIR": repository,
             "QUADRILLE_NPM": "OFF",

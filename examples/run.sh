@@ -37,7 +37,7 @@ prepare() {
   tell "1 of 3: installing what is missing of the Debian packages"
   sh "$root/.ci/install_packages.sh" \
     cmake g++ make libcgal-dev libcgal-demo libboost-dev libeigen3-dev libcli11-dev nlohmann-json3-dev \
-    libzstd-dev libtbb-dev $npm &&
+    libnanoflann-dev libzstd-dev libtbb-dev $npm &&
   tell "2 of 3: configuring with CMake" &&
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF &&
   tell "3 of 3: building $target" &&

@@ -12,7 +12,7 @@ cd -- "$(dirname -- "$0")/.."
 npm=
 command -v npm >/dev/null || npm=npm
 sh .ci/install_packages.sh cmake g++ clang libc++-dev ninja-build libcgal-dev libcgal-demo \
-  libboost-dev catch2 libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev libbenchmark-dev \
+  libboost-dev libnanoflann-dev catch2 libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev libbenchmark-dev \
   libdraco-dev libmeshoptimizer-dev libtinyobjloader-dev nlohmann-json3-dev libzstd-dev gnuplot-nox doxygen help2man \
   bash-completion dpkg-dev file chromium $npm libopenmpi-dev python3-numpy python3-scipy
 

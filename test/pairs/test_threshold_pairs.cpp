@@ -1,6 +1,7 @@
 // Pairs closer than a threshold: which they are, and what becomes of them.
 #include "on_all.h"
 
+#include <quadrille/compiled/soup_pairs.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
@@ -26,7 +27,7 @@ namespace {
 
 using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-IndexPairs emitted(const ThresholdPairs& pairs, const Soup& soup) {
+IndexPairs emitted(const auto& pairs, const Soup& soup) {
   IndexPairs all;
   pairs(SurfaceView{soup.points, soup.triangles},
         [&](std::size_t i, std::size_t j) { all.emplace_back(i, j); });
@@ -146,11 +147,11 @@ TEST_CASE("Too many pairs are refused with their number, and nothing is changed"
   std::vector<Point> points = points_of(soup);
   auto triangles = soup.triangles;
   const auto before = points;
-  CHECK_THROWS_MATCHES(
-      simplify(points, triangles, ThresholdPairs::relative(2)), std::length_error,
-      Catch::Matchers::Predicate<std::length_error>([&](const auto& error) {
-        return std::string(error.what()).find(' ' + all + ' ') != std::string::npos;
-      }));
+  CHECK_THROWS_MATCHES(simplify(points, triangles, ThresholdPairs::relative(2)), std::length_error,
+                       Catch::Matchers::Predicate<std::length_error>([&](const auto& error) {
+                         return std::string(error.what()).find(' ' + all + ' ') !=
+                                std::string::npos;
+                       }));
   CHECK(points == before);
   CHECK(triangles == soup.triangles);
 
@@ -175,6 +176,61 @@ TEST_CASE("Coincident vertices are paired with each other, and with all that are
     const IndexPairs expected = emitted(ThresholdPairs{t}, soup);
     CHECK(expected.size() >= soup.points.size() / 2);
     CHECK(expected == closer_than(std::max(t, 1e-100), soup));
+  }
+}
+
+TEST_CASE("nanoflann finds the pairs that CGAL finds") {
+  const auto agree = [](double t, const Soup& soup) {
+    const IndexPairs expected = emitted(ThresholdPairs{t}, soup);
+    CHECK(emitted(SoupPairs{t}, soup) == expected);
+    return expected.size();
+  };
+  Soup lattice; // its distances are often exactly t
+  for (int x = 0; x < 12; ++x)
+    for (int y = 0; y < 12; ++y)
+      for (int z = 0; z < 12; ++z)
+        lattice.points.push_back({{double(x), double(y), double(z)}});
+  lattice.triangles = triangles_over(lattice.points.size());
+  for (const double t : {1.0, std::nextafter(1.0, 2), 2.0, std::sqrt(2.0), std::sqrt(3.0)})
+    agree(t, lattice);
+  Soup crowd = joined(random_closed(2), random_closed(2), {{0, 0, 0}}); // all points twice
+  add_coincident(crowd, 40, crowd.points[5]);
+  add_coincident(crowd, 3, {{-0.0, 0.0, 0}});
+  add_coincident(crowd, 3, {{0.0, -0.0, 0}});
+  crowd = shuffled(crowd, 2);
+  for (const double t : {std::numeric_limits<double>::denorm_min(), 1e-300, 1e-9, 0.1, 0.2})
+    CHECK(agree(t, crowd) > 40 * 39 / 2);
+  for (const int exponent : {-1060, -500, 500, 1020})
+    agree(std::ldexp(0.1, exponent), scaled(crowd, exponent));
+  Soup towards; // 2^-k, each half as far from the next: a tree that halves boxes is deep
+  for (int k = 0; k < 900; ++k)
+    towards.points.push_back({{std::ldexp(1, -k), std::ldexp(k % 3, -k), 1}});
+  towards.triangles = triangles_over(towards.points.size());
+  for (const double t : {1e-260, 1e-200, 1e-175})
+    CHECK(agree(t, shuffled(towards, 1)) > 0);
+  Soup beside; // no number lies between their x
+  Random random(1);
+  for (std::size_t i = 0; i < 3000; ++i)
+    beside.points.push_back({{1 + random.below(2) * 0x1p-52, random(0, 0.01), 0}});
+  beside.triangles = triangles_over(beside.points.size());
+  CHECK(agree(1e-5, beside) > 3000);
+}
+
+TEST_CASE("nanoflann refuses what CGAL refuses, in the same words") {
+  Soup many;
+  add_coincident(many, 60'000, {{1, 2, 3}});
+  const auto refusal = [&](const auto& pairs) {
+    try {
+      pairs.validate();
+      emitted(pairs, many);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const double t : {-1.0, std::numeric_limits<double>::infinity(), 1e-3}) {
+    CHECK(refusal(SoupPairs{t}) != "");
+    CHECK(refusal(SoupPairs{t}) == refusal(ThresholdPairs{t}));
   }
 }
 

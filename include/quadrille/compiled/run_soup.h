@@ -5,6 +5,7 @@
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/soup_channel_list.h>
 #include <quadrille/compiled/soup_maps.h>
+#include <quadrille/compiled/soup_pairs.h>
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/guards.h>
@@ -14,7 +15,6 @@
 #include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
-#include <quadrille/threshold_pairs.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/property_map.h>
@@ -117,10 +117,10 @@ std::optional<Policy> policy_of(const Function& asked) {
     return std::nullopt;
   return Policy{asked};
 }
-inline std::optional<ThresholdPairs> pairs_of(const SoupOptions& options) {
+inline std::optional<SoupPairs> pairs_of(const SoupOptions& options) {
   if (!options.pairs_closer_than)
     return std::nullopt;
-  return ThresholdPairs(*options.pairs_closer_than);
+  return SoupPairs(*options.pairs_closer_than);
 }
 
 inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
