@@ -407,7 +407,7 @@ commands() {
 reference() {
   command -v doxygen >/dev/null || { echo "skipped: doxygen is not there"; exit 77; }
   mkdir "$folder/copy"
-  cp -R README.md doc benchmark examples include test .ci CMakeLists.txt LICENSE "$folder/copy"
+  cp -R README.md doc benchmark examples include test .ci CMakeLists.txt LICENSE NOTICE.md "$folder/copy"
   cd "$folder/copy"
 
   fail() { echo "$1" >&2; exit 1; }

@@ -37,7 +37,9 @@ for file in $(cd "$folder/source/examples/products/python" && find quadrille -ty
   grep -qx "$file" "$folder/content" || fail "$file is not in the wheel"
 done
 grep -qx 'quadrille/libquadrille_python\.so' "$folder/content" || fail "the compiled part is not in the wheel"
-grep -q '\.dist-info/.*LICENSE$' "$folder/content" || fail "the licence is not in the wheel"
+for file in LICENSE NOTICE.md; do
+  grep -q "\.dist-info/.*$file\$" "$folder/content" || fail "$file is not in the wheel"
+done
 
 # An environment with numpy alone.
 "$python" -m venv "$folder/venv"
@@ -57,7 +59,7 @@ from importlib.metadata import metadata
 assert quadrille.__file__.startswith(sys.argv[1]), quadrille.__file__
 told = metadata("quadrille-mesh")
 assert told["Version"] == quadrille.__version__, (told["Version"], quadrille.__version__)
-assert "GPL" in told["License"], told["License"]
+assert "LGPL" in told["License"] and " GPL" not in told["License"], told["License"]
 
 # A sphere: each face of an octahedron in four, five times.
 signs = np.array([[x, y, z] for x in (1, -1) for y in (1, -1) for z in (1, -1)])
