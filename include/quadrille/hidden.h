@@ -80,8 +80,8 @@ struct HiddenFaces {
   double area = 0;                 ///< the area of the hidden faces
   double whole_area = 0;           ///< the area of all faces
   std::vector<HiddenGroup> groups; ///< the largest area first
-  /// The edges that hidden faces share with others: they become boundary edges if hidden faces are
-  /// removed.
+  /// The edges that hidden faces share with others, and that become boundary edges if hidden faces
+  /// are removed.
   std::size_t cut_edges = 0;
   bool is_cancelled = false; ///< by HiddenOptions::progress: then no face is hidden
 };
@@ -217,7 +217,8 @@ inline namespace QUADRILLE_THREADING {
 /// area, or for 1/4096 of the whole area if that is less, up to 1024 times that.
 ///
 /// Faces that intersect or touch hide what is behind them. A face does not hide its duplicate or
-/// reverse: of a double-sided sheet nothing is hidden. Open surfaces and non-manifold ones are
+/// reverse, but of a face with a reverse only the front counts: of a double-sided sheet nothing is
+/// hidden, of two coincident walls the inner one is. Open surfaces and non-manifold ones are
 /// allowed. Faces are connected to those that have two points in common with them; points at the
 /// same place are one.
 ///

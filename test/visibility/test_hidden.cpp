@@ -173,6 +173,15 @@ TEST_CASE("Boxes that touch hide the faces between them") {
   CHECK(found.area == Approx(8));
 }
 
+TEST_CASE("The inner one of two coincident walls is hidden, and nothing is left open") {
+  const Soup outside = cube(3);
+  const HiddenFaces found = hidden(joined(outside, reversed(outside)));
+  CHECK(hidden_parts(found, outside.triangles.size()) == Parts{0, outside.triangles.size()});
+  CHECK(found.cut_edges == 0);
+  REQUIRE(found.groups.size() == 1);
+  CHECK(found.groups.front().kind == HiddenKind::cavity);
+}
+
 TEST_CASE("Only the fronts of faces count if that is asked for") {
   const Soup inside_out = reversed(test::sphere(3));
   CHECK(hidden(inside_out).count == 0);

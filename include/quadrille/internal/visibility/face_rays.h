@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,10 +53,14 @@ struct RayPlan {
 
 /// Sends rays from faces. Each ray leaves from a point of its own, so that points and directions
 /// are spread together.
+///
+/// A face that lies on its reverse is covered from behind: only its front counts.
 class FaceRays {
 public:
   FaceRays(const RayTree& tree, std::size_t directions, const RayPlan& plan)
-      : tree_(tree), directions_(directions), plan_(plan), areas_(tree.size()) {
+      : tree_(tree), directions_(directions), plan_(plan), areas_(tree.size()),
+        is_covered_(tree.size(), plan.is_front_only) {
+    find_covered();
     double sum = 0;
     for (std::size_t slot = 0; slot < tree.size(); ++slot)
       sum += areas_[slot] = std::sqrt(squared_length(normal(slot)));
@@ -131,11 +136,37 @@ private:
   void send(const Look& look, const Vector<3>& direction, std::size_t number, Index& recent) const {
     RayCounts& counts = *look.counts;
     const std::size_t side = dot(direction, look.normal) < 0 ? 1 : 0;
-    if (side == 1 && plan_.is_front_only)
+    if (side == 1 && is_covered_[look.slot])
       return;
     ++counts.rays[side];
     const Ray ray(point(look.corners, look.slot + number), direction);
     counts.free[side] += tree_.is_blocked(ray, look.slot, recent) ? 0 : 1;
+  }
+
+  // Finds faces that have a reverse: the same corners in the other order.
+  void find_covered() {
+    struct Face {
+      RayTree::Triangle corners; // ascending
+      bool is_odd;               // is their order in the face another one?
+      Index slot;
+    };
+    std::vector<Face> faces;
+    for (Index slot = 0; slot < tree_.size(); ++slot) {
+      const auto [a, b, c] = tree_.triangle(slot);
+      Face face{{a, b, c}, ((a < b) != (b < c)) != (c < a), slot};
+      std::sort(face.corners.begin(), face.corners.end());
+      faces.push_back(face);
+    }
+    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+      return std::tie(a.corners, a.is_odd, a.slot) < std::tie(b.corners, b.is_odd, b.slot);
+    });
+    for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
+      while (end < faces.size() && faces[end].corners == faces[begin].corners)
+        ++end;
+      if (faces[begin].is_odd != faces[end - 1].is_odd)
+        for (std::size_t i = begin; i < end; ++i)
+          is_covered_[faces[i].slot] = true;
+    }
   }
 
   std::size_t units(std::size_t slot) const {
@@ -161,6 +192,7 @@ private:
   RayDirections directions_;
   RayPlan plan_;
   std::vector<double> areas_;
+  std::vector<bool> is_covered_; // do only their fronts count?
   double unit_area_ = 1;
 };
 

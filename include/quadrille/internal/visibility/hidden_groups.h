@@ -90,7 +90,7 @@ private:
           first = side.face;
         parent_[root(side.face)] = root(first);
       }
-      cut_edges_ += first != none && has_other ? 1 : 0;
+      cut_edges_ += up != 0 && has_other ? 1 : 0;
       if (up != 0)
         open.push_back(first);
     }

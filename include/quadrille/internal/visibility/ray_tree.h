@@ -107,6 +107,8 @@ public:
   std::size_t size() const { return faces_.size(); }
   /// Returns the input index of the face in a slot.
   Index face(std::size_t slot) const { return faces_[slot]; }
+  /// Returns numbers of the corners of a face, which mean something for this tree only.
+  const Triangle& triangle(std::size_t slot) const { return triangles_[slot]; }
   std::array<Vector<3>, 3> corners(std::size_t slot) const {
     const auto [a, b, c] = triangles_[slot];
     return {points_[a], points_[b], points_[c]};
