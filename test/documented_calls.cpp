@@ -1,6 +1,5 @@
 // What the calls in the documents speak of; documented.sh makes the included file of them.
 #include "../examples/products/figures/pictures.h"
-#include "../examples/products/program/calibrated.h"
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
@@ -13,6 +12,7 @@
 #include <iostream>
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/boundaries.h>
+#include <quadrille/calibrated.h>
 #include <quadrille/channels.h>
 #include <quadrille/cluster.h>
 #include <quadrille/cut_handles.h>

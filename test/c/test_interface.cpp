@@ -444,6 +444,31 @@ TEST_CASE("A call of C gives the sparse maps of its levels") {
   CHECK(quadrille_levels_empty(own.get()) == 0);
 }
 
+TEST_CASE("A calibrated call of C goes as far as measuring allows") {
+  const test::Soup soup = test::with_noise(test::sphere(3), 3, 0.002);
+  const SoupPoints points = coordinates_of(soup);
+  Call call = call_of(points, soup.triangles);
+  for (const char* option : {"both_ways", "calibrated"})
+    REQUIRE(quadrille_set_int(call.get(), option, 1) == QUADRILLE_OK);
+  CHECK(quadrille_simplify(call.get()) == QUADRILLE_INVALID);
+  CHECK(std::string(quadrille_error(call.get())) ==
+        "calibrated needs either error or relative_error, and both_ways");
+  REQUIRE(quadrille_set_double(call.get(), "error", 0.05) == QUADRILLE_OK);
+  run(call);
+  const SoupResult by_sum =
+      simplified_soup({points, soup.triangles}, {.error = 0.05, .both_ways = true});
+  CHECK(4 * result_of<std::uint32_t>(call, "triangles").size() < 3 * 3 * by_sum.triangles.size());
+  double bound = 0;
+  REQUIRE(quadrille_report_number(call.get(), "hausdorff_bound", &bound) == QUADRILLE_OK);
+  CHECK(bound <= 0.05);
+  REQUIRE(quadrille_set_int(call.get(), "maps", 1) == QUADRILLE_OK);
+  CHECK(quadrille_simplify(call.get()) == QUADRILLE_INVALID);
+  REQUIRE(quadrille_set_int(call.get(), "maps", 0) == QUADRILLE_OK);
+  REQUIRE(quadrille_set_text(call.get(), "hull", "outer") == QUADRILLE_OK);
+  CHECK(quadrille_simplify(call.get()) == QUADRILLE_INVALID);
+  CHECK(std::string(quadrille_error(call.get())) == "hull does not go with calibrated");
+}
+
 TEST_CASE("Maps of C are those of points, where several are one vertex, and of nothing") {
   const test::Soup grid = test::grid(10, 10);
   SoupPoints points; // each triangle has its own

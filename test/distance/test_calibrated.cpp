@@ -1,10 +1,10 @@
 // A calibrated limit is kept, by another measure, and goes further than the sum of steps.
-#include "../examples/products/program/calibrated.h"
 #include "farthest.h"
 #include "meshes.h"
 #include "soups.h"
 
 #include <quadrille/bounded_hausdorff.h>
+#include <quadrille/calibrated.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
@@ -19,7 +19,6 @@
 namespace {
 
 using namespace quadrille;
-using namespace quadrille_examples;
 using test::Mesh;
 
 } // namespace

@@ -2,7 +2,8 @@
 #include "calibration.h"
 
 #include "../mesh_io/mesh/bounding_box.h"
-#include "calibrated.h"
+
+#include <quadrille/calibrated.h>
 
 #include <cstddef>
 #include <utility>
@@ -32,8 +33,8 @@ Coarse coarsest(const IndexedMesh& mesh, const Options& options, Run run) {
     return internal::checked_surface("quadrille::calibrated", of.points, of.triangles);
   };
   const double distance = length_of(*options.target.error, diagonal(mesh.points, mesh.triangles));
-  return calibrations::calibrate(surface_of(mesh), distance, Calibration{}, run,
-                                 [&](const Coarse& coarse) { return surface_of(coarse.mesh); });
+  return internal::calibrate(surface_of(mesh), distance, quadrille::Calibration{}, run,
+                             [&](const Coarse& coarse) { return surface_of(coarse.mesh); });
 }
 
 } // namespace

@@ -13,9 +13,10 @@ namespace {
 
 // Throws std::invalid_argument if two options are given that choose the engine.
 void require_one_engine(const SoupJob& job) {
-  const std::array<std::pair<bool, std::string_view>, 3> asked{
+  const std::array<std::pair<bool, std::string_view>, 4> asked{
       {{job.hull.has_value(), "hull"},
        {job.keep_volume, "keep_volume"},
+       {job.calibrated, "calibrated"},
        {static_cast<bool>(job.cost_function), "a function as cost"}}};
   std::string_view first;
   for (const auto& [is_asked, name] : asked)
@@ -43,6 +44,8 @@ SoupResult simplified_by_job(const SoupView& soup, const SoupJob& job) {
   require_one_engine(job);
   if (job.cost_function)
     return soup_by_cost(soup, job, job.cost_function);
+  if (job.calibrated)
+    return calibrated_soup(soup, job);
   if (!job.hull && !job.keep_volume)
     return simplified_soup(soup, job);
   check_star_placement(job);

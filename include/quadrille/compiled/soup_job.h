@@ -29,6 +29,7 @@ struct SoupJob : SoupOptions {
 
   std::optional<Hull> hull = {};       ///< see OuterHull and InnerHull
   bool keep_volume = false;            ///< see VolumeKeeping
+  bool calibrated = false;             ///< see calibrated()
   bool maps = false;                   ///< see old_to_new() and new_to_old()
   SoupCostFunction cost_function = {}; ///< replaces the cost, if there is one
 };
@@ -43,6 +44,11 @@ SoupResult hull_of_soup(const SoupView& soup, const SoupOptions& options, bool i
 
 /// Simplifies with VolumeKeeping and MemorylessQuadric in greedy order.
 SoupResult soup_of_same_volume(const SoupView& soup, const SoupOptions& options);
+
+/// Simplifies with multiples of a limit in both directions, of which one is given, and returns the
+/// coarsest result that is proved to be within it: see calibrated(). If options.proceed says no,
+/// the coarsest until then. Throws std::invalid_argument for options that do not go with it.
+SoupResult calibrated_soup(const SoupView& soup, const SoupJob& job);
 
 /// Checks which options go together, and simplifies by the engine that they need. Throws
 /// std::invalid_argument for options that do not go together.

@@ -46,8 +46,6 @@ typedef int32_t (*quadrille_part_function)(double);
  * the call runs: the messages are those of its policies. */
 QUADRILLE_C int32_t quadrille_set_unchecked(quadrille_call* call, int64_t channel, const char* name,
                                             double value);
-/** Goes as far as a limit is measured to allow. */
-QUADRILLE_C int32_t quadrille_simplify_calibrated(quadrille_call* call);
 /** Does what a name says: see jobs.cpp. The options of the call are used by `simplify_gltf`, and
  * `progress` by `verify`. */
 QUADRILLE_C int32_t quadrille_do(const char* name, quadrille_bag* bag, quadrille_call* call,

@@ -30,7 +30,6 @@ _set_channel_text = declare("quadrille_set_channel_text", c_int32, c_void_p, c_s
 _set_channel_array = declare("quadrille_set_channel_array", c_int32, c_void_p, c_size_t, c_char_p, _ARRAY)
 _set_levels = declare("quadrille_set_levels", None, c_void_p, c_void_p)
 _simplify = declare("quadrille_simplify", c_int32, c_void_p)
-_simplify_calibrated = declare("quadrille_simplify_calibrated", c_int32, c_void_p)
 _result = declare("quadrille_result", c_int32, c_void_p, c_char_p, c_size_t, _ARRAY)
 _report = declare("quadrille_report", c_char_p, c_void_p)
 _report_text = declare("quadrille_report_text", c_char_p, c_void_p)
@@ -547,14 +546,10 @@ def simplify(points: Array, faces: Array, labels: Optional[Array], channels: Any
     call.set_options(options)
     if way in (Way.outer_hull, Way.inner_hull):
         call.check(_set_text(call.handle, b"hull", way.name[:5].encode()))
-    elif way == Way.same_volume:
-        call.check(_set_double(call.handle, -1, b"keep_volume", 1))
+    elif way in (Way.same_volume, Way.calibrated):
+        call.check(_set_double(call.handle, -1, b"keep_volume" if way == Way.same_volume else b"calibrated", 1))
     functions = _Functions(call.handle, progress, stop, filter, cost)
-    run = _simplify_calibrated if way == Way.calibrated else _simplify
-    if levels is None:
-        code = run(call.handle)
-    else:
-        code = levels._record(call, run)
+    code = _simplify(call.handle) if levels is None else levels._record(call)
     call.check(code, functions.caught)
     call.kept.clear()
     result: Dict[str, Any] = {name: call.result(name) for name in ("points", "input_faces", "vertex_map")}
@@ -584,14 +579,14 @@ class Levels:
     def __del__(self) -> None:
         _levels_delete(self._handle)
 
-    def _record(self, call: _Call, run: Any) -> int:
+    def _record(self, call: _Call) -> int:
         if self._is_recorded or self._readers > 0:
             raise ValueError("these Levels are being " + ("recorded by another call of simplify()"
                                                           if self._is_recorded else "read by another thread"))
         self._is_recorded = True
         try:
             _set_levels(call.handle, self._handle)
-            return run(call.handle)  # type: ignore[no-any-return]
+            return _simplify(call.handle)  # type: ignore[no-any-return]
         finally:
             self._is_recorded = False
 

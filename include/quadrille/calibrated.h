@@ -1,9 +1,5 @@
-// SPDX-License-Identifier: MIT
-//
-// Simplifies as far as a measured distance allows.
-
-#ifndef QUADRILLE_EXAMPLES_CALIBRATED_H
-#define QUADRILLE_EXAMPLES_CALIBRATED_H
+#ifndef QUADRILLE_CALIBRATED_H
+#define QUADRILLE_CALIBRATED_H
 
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
@@ -22,23 +18,26 @@
 #include <utility>
 #include <vector>
 
-namespace quadrille_examples {
+/// \file
+/// Simplifies as far as a measured distance allows.
+
+namespace quadrille {
 
 /// The result of `calibrated` for a mesh.
 template <class Mesh>
 struct Calibrated {
-  Mesh mesh;                ///< the simplified copy
-  quadrille::Report report; ///< the report of its run; Report::hausdorff_bound is the proven bound
-  double factor = 1;        ///< the multiple of the limit with which it ran
+  Mesh mesh;         ///< the simplified copy
+  Report report;     ///< the report of its run; Report::hausdorff_bound is the proven bound
+  double factor = 1; ///< the multiple of the limit with which it ran
 };
 
 /// The result of `calibrated` for a soup.
 template <class Points, class Triangles>
 struct CalibratedSoup {
-  Points points;            ///< the points of the simplified copy
-  Triangles triangles;      ///< the triangles of the simplified copy
-  quadrille::Report report; ///< the report of its run; Report::hausdorff_bound is the proven bound
-  double factor = 1;        ///< the multiple of the limit with which it ran
+  Points points;       ///< the points of the simplified copy
+  Triangles triangles; ///< the triangles of the simplified copy
+  Report report;       ///< the report of its run; Report::hausdorff_bound is the proven bound
+  double factor = 1;   ///< the multiple of the limit with which it ran
 };
 
 /// Options of the search in calibrated().
@@ -57,10 +56,7 @@ struct Calibration {
   }
 };
 
-namespace calibrations {
-
-using namespace quadrille;
-using namespace quadrille::internal;
+namespace internal {
 
 /// Returns a bound on the distance of the two surfaces that is at most `error` too large, if both
 /// are proven to be within `distance` of each other; otherwise infinity. Samples reject surfaces
@@ -113,12 +109,11 @@ auto calibrate(const SurfaceView& input, double distance, const Calibration& cal
 }
 
 /// Returns the distance that a limit allows for a surface.
-inline double distance_of(const HausdorffLimit& limit, const SurfaceView& surface) {
-  return limit.distance(surface.triangles.empty() ? 0
-                                                  : quadrille::internal::diagonal(box_of(surface)));
+inline double allowed_distance(const HausdorffLimit& limit, const SurfaceView& surface) {
+  return limit.distance(surface.triangles.empty() ? 0 : diagonal(box_of(surface)));
 }
 
-} // namespace calibrations
+} // namespace internal
 
 /// Returns a simplified copy of a mesh that is within a limit in both directions, with about as few
 /// faces as possible. Measuring proves the limit; the bound is not accumulated.
@@ -133,69 +128,68 @@ inline double distance_of(const HausdorffLimit& limit, const SurfaceView& surfac
 /// Complexity: up to log₂ of the largest factor + refinements + 1 runs, and as many measurements,
 /// which take longer. Throws whatever `simplified` throws, and std::invalid_argument for a surface
 /// that cannot be measured: see verify().
-template <class Cost = quadrille::internal::NotGiven,
-          class Placement = quadrille::internal::NotGiven, class Mesh, class... Arguments>
-requires quadrille::internal::FaceGraph<Mesh> Calibrated<Mesh>
-calibrated(const Mesh& mesh, quadrille::HausdorffLimit limit, const Calibration& calibration,
-           const Arguments&... arguments) {
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
+          class... Arguments>
+requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
+                                                               HausdorffLimit limit,
+                                                               const Calibration& calibration,
+                                                               const Arguments&... arguments) {
   limit.validate();
   calibration.validate();
   const auto surface_of = [](const Mesh& of) {
-    return quadrille::internal::checked_surface("quadrille::calibrated", of);
+    return internal::checked_surface("quadrille::calibrated", of);
   };
-  const quadrille::TriangleSoup<> input = surface_of(mesh);
-  return calibrations::calibrate(
-      input, calibrations::distance_of(limit, input), calibration,
+  const TriangleSoup<> input = surface_of(mesh);
+  return internal::calibrate(
+      input, internal::allowed_distance(limit, input), calibration,
       [&](double factor) {
         auto [coarse, report] =
-            quadrille::simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
+            simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
         return Calibrated<Mesh>{std::move(coarse), report, factor};
       },
       [&](const Calibrated<Mesh>& coarse) { return surface_of(coarse.mesh); });
 }
 
 /// Runs with the default calibration.
-template <class Cost = quadrille::internal::NotGiven,
-          class Placement = quadrille::internal::NotGiven, class Mesh>
-requires quadrille::internal::FaceGraph<Mesh> Calibrated<Mesh>
-calibrated(const Mesh& mesh, quadrille::HausdorffLimit limit) {
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh>
+requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
+                                                               HausdorffLimit limit) {
   return calibrated<Cost, Placement>(mesh, limit, Calibration{});
 }
 
 /// Calibrates a soup, which may be non-manifold: points with x(), y() and z(), or three numbers by
 /// index, and triples of indices. Pass no maps or vectors of channels and labels: each run would
 /// write to them.
-template <class Cost = quadrille::internal::NotGiven,
-          class Placement = quadrille::internal::NotGiven, class Points, class Triangles,
-          class... Arguments>
-requires quadrille::internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
-calibrated(const Points& points, const Triangles& triangles, quadrille::HausdorffLimit limit,
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit,
            const Calibration& calibration, const Arguments&... arguments) {
   limit.validate();
   calibration.validate();
   const auto surface_of = [](const Points& of_points, const Triangles& of_triangles) {
-    return quadrille::internal::checked_surface("quadrille::calibrated", of_points, of_triangles);
+    return internal::checked_surface("quadrille::calibrated", of_points, of_triangles);
   };
-  const quadrille::TriangleSoup<> input = surface_of(points, triangles);
+  const TriangleSoup<> input = surface_of(points, triangles);
   using Coarse = CalibratedSoup<Points, Triangles>;
-  return calibrations::calibrate(
-      input, calibrations::distance_of(limit, input), calibration,
+  return internal::calibrate(
+      input, internal::allowed_distance(limit, input), calibration,
       [&](double factor) {
-        auto [p, t, report] = quadrille::simplified<Cost, Placement>(
-            points, triangles, limit.times(factor), arguments...);
+        auto [p, t, report] =
+            simplified<Cost, Placement>(points, triangles, limit.times(factor), arguments...);
         return Coarse{std::move(p), std::move(t), report, factor};
       },
       [&](const Coarse& coarse) { return surface_of(coarse.points, coarse.triangles); });
 }
 
 /// Runs on a soup with the default calibration.
-template <class Cost = quadrille::internal::NotGiven,
-          class Placement = quadrille::internal::NotGiven, class Points, class Triangles>
-requires quadrille::internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
-calibrated(const Points& points, const Triangles& triangles, quadrille::HausdorffLimit limit) {
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles>
+requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit) {
   return calibrated<Cost, Placement>(points, triangles, limit, Calibration{});
 }
 
-} // namespace quadrille_examples
+} // namespace quadrille
 
-#endif // QUADRILLE_EXAMPLES_CALIBRATED_H
+#endif // QUADRILLE_CALIBRATED_H
