@@ -109,8 +109,10 @@ private:
           return;
         const Index face = HalfEdges::face(h);
         time_of_face_[face] = now_;
-        open_sides_[face] = static_cast<unsigned char>(!is_in_tree(h) | !is_in_tree(h + 1) << 1 |
-                                                       !is_in_tree(h + 2) << 2);
+        open_sides_[face] = 0;
+        for (unsigned side = 0; side < 3; ++side)
+          if (!is_in_tree(h + side))
+            open_sides_[face] |= static_cast<unsigned char>(1U << side);
         faces_.push_back(face);
       });
   }
