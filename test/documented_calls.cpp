@@ -27,6 +27,7 @@
 #include <quadrille/importance.h>
 #include <quadrille/level_maps.h>
 #include <quadrille/level_splits.h>
+#include <quadrille/keep_planes.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 #include <quadrille/manifold.h>
@@ -38,6 +39,7 @@
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>
+#include <quadrille/voxel_size.h>
 #include <quadrille/weighted.h>
 #include <span>
 #include <vector>

@@ -98,6 +98,9 @@ struct SoupOptions {
   enum class Placement { optimal, endpoint, midpoint };
   /// The names of the orders: see GreedyOrder and RelaxedOrder.
   enum class Order { greedy, relaxed };
+  /// The names of the axes.
+  enum class Axis { x, y, z };
+
   /// The names of the presets: see SoupOptions::preset.
   enum class Preset { generated, scan, voxels, print, cad, terrain, game };
 
@@ -133,6 +136,11 @@ struct SoupOptions {
   bool manifold = false;
   /// Tunnels and handles up to a size are cut first: see cut_handles().
   std::optional<double> simplified_topology = {};
+  std::optional<double> keep_planes = {};    ///< an area, see KeepPlanes
+  std::optional<double> plane_flatness = {}; ///< see KeepPlanes, which it needs
+  std::optional<double> voxel_size = {};     ///< see VoxelSize
+  /// See HeightField: the input is a height field along this axis, and the result is.
+  std::optional<Axis> height_field = {};
   double normal_flip = 90;                ///< degrees, see NormalFlip
   std::optional<double> normal_deviation; ///< degrees, see NormalDeviation
   bool no_self_intersection = false;      ///< see NoSelfIntersection

@@ -23,6 +23,8 @@ struct EdgePairs {
   void operator()(const SurfaceView& /*surface*/, const EmitPair& /*emit*/) const {}
 };
 
+struct KeepPlanes;    // is in <quadrille/keep_planes.h>: include that to use it
+struct VoxelSize;     // is in <quadrille/voxel_size.h>: include that to use it
 class ThresholdPairs; // is in <quadrille/threshold_pairs.h>: include that to use it
 
 /// The ways in which contractions may change the topology of the surface.

@@ -160,6 +160,7 @@ struct Report {
   std::size_t cut_handles = 0;
   /// Components that were cut in two before.
   std::size_t split_components = 0;
+  std::size_t kept_planes = 0;           ///< plane regions that were kept: see KeepPlanes
   std::size_t non_manifold_edges = 0;    ///< edges of the result with at least three faces
   std::size_t non_manifold_vertices = 0; ///< vertices of the result whose faces form neither a
                                          ///< disc nor half a disc
@@ -286,6 +287,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   if (report.non_edge_contractions > 0)
     out << ", " << report.non_edge_contractions << " contractions without an edge";
   internal::print_lost_components(out, report);
+  if (report.kept_planes > 0)
+    out << ", " << report.kept_planes << " plane regions kept";
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";

@@ -54,6 +54,8 @@ inline namespace QUADRILLE_THREADING {
 /// - Labels: labels of faces, whose regions are preserved
 /// - Texture, Normals, Colors, Attributes, of <quadrille/channels.h>, any number: channels of
 ///   attributes; SplitVertices, for a soup
+/// - KeepPlanes, of <quadrille/keep_planes.h>: plane regions from a size on stay in their planes
+/// - VoxelSize, of <quadrille/voxel_size.h>: the stairs of a surface of voxels become smooth
 /// - Topology: kept, free, or components_may_vanish; kept by default, free with pairs that are not
 /// edges
 /// - record_into(recorder), of <quadrille/record.h>: the recorder, such as Levels, receives all

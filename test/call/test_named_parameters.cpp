@@ -258,7 +258,8 @@ TEST_CASE("CGAL's names of the graph are allowed where nothing reads them") {
 
 // --- Chains --------------------------------------------------------------------------------------
 
-TEST_CASE("Each of our names can follow each other one, and CGAL's stand anywhere after the first") {
+TEST_CASE(
+    "Each of our names can follow each other one, and CGAL's stand anywhere after the first") {
   namespace np = CGAL::internal_np;
   using CGAL::parameters::get_parameter;
   const auto check = [](const auto& named) {

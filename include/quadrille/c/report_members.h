@@ -16,10 +16,10 @@ void visit_members(const Report& report, const Visit& visit) {
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
                vanished_components, largest_vanished_component, cut_handles, split_components,
-               non_manifold_edges, non_manifold_vertices, duplicated_vertices, doubled_faces,
-               doubled_labels, stop, error, distance_bound, hausdorff_bound, used_tolerance,
-               volume_before, volume_after, self_intersections, normal_bound_degrees, rejections,
-               seconds] = report;
+               kept_planes, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
+               doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
+               used_tolerance, volume_before, volume_after, self_intersections,
+               normal_bound_degrees, rejections, seconds] = report;
   visit("faces_before", faces_before);
   visit("counted_faces", counted_faces);
   visit("faces_after", faces_after);
@@ -33,6 +33,7 @@ void visit_members(const Report& report, const Visit& visit) {
   visit("largest_vanished_component", largest_vanished_component);
   visit("cut_handles", cut_handles);
   visit("split_components", split_components);
+  visit("kept_planes", kept_planes);
   visit("non_manifold_edges", non_manifold_edges);
   visit("non_manifold_vertices", non_manifold_vertices);
   visit("duplicated_vertices", duplicated_vertices);

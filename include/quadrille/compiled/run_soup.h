@@ -10,11 +10,13 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/guards.h>
 #include <quadrille/internal/core/policy/built_in_placement.h>
+#include <quadrille/keep_planes.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
+#include <quadrille/voxel_size.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/property_map.h>
@@ -123,6 +125,26 @@ inline std::optional<SoupPairs> pairs_of(const SoupOptions& options) {
   return SoupPairs(*options.pairs_closer_than);
 }
 
+inline std::optional<KeepPlanes> keep_planes_of(const SoupOptions& options) {
+  if (!options.keep_planes)
+    return std::nullopt;
+  return KeepPlanes{*options.keep_planes, options.plane_flatness};
+}
+
+inline std::optional<VoxelSize> voxel_size_of(const SoupOptions& options) {
+  if (!options.voxel_size)
+    return std::nullopt;
+  return VoxelSize{*options.voxel_size};
+}
+
+inline std::optional<HeightField> height_field_of(const SoupOptions& options) {
+  if (!options.height_field)
+    return std::nullopt;
+  Vector<3> up{};
+  up[static_cast<std::size_t>(*options.height_field)] = 1;
+  return HeightField(up);
+}
+
 inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
   if (!options.bounding_box)
     return std::nullopt;
@@ -196,7 +218,8 @@ Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, c
   const auto simplify_soup = [&](const auto&... rest) {
     return simplify(run.points, run.triangles, cost, placement, pairs_of(options), stop_of(options),
                     order, NormalFlip(options.normal_flip), policy_of<SoupFilter>(options.allows),
-                    options.topology, normal_deviation_of(options),
+                    options.topology, keep_planes_of(options), voxel_size_of(options),
+                    height_field_of(options), normal_deviation_of(options),
                     no_self_intersection_of(options), keep_solid_of(options),
                     record_into_given(recorder), more..., rest...);
   };

@@ -10,6 +10,7 @@
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -37,6 +38,32 @@ void require_count(const char* name, std::size_t values, std::size_t count, cons
            " " + of_what);
 }
 
+// Requires that all triangles that are not vertical show the same side along an axis.
+void require_height_field(const SoupView& soup, SoupOptions::Axis axis) {
+  const std::size_t up = static_cast<std::size_t>(axis), u = (up + 1) % 3, v = (up + 2) % 3;
+  const auto sign = [&](const std::array<std::uint32_t, 3>& t) {
+    const auto& [p, q, r] = std::tie(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+    const double left = (q[u] - p[u]) * (r[v] - p[v]), right = (r[u] - p[u]) * (q[v] - p[v]);
+    return (left > right) - (left < right);
+  };
+  int shown = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const auto& t = soup.triangles[i];
+    for (std::uint32_t corner : t)
+      if (corner >= soup.points.size())
+        return; // it is reported later
+    const int side = sign(t);
+    if (shown == 0 && side != 0) {
+      shown = side;
+      first = i;
+    }
+    if (side * shown < 0)
+      reject(std::string("the input is no height field along ") + "xyz"[up] + ": triangle " +
+             std::to_string(i) + " shows the other side than triangle " + std::to_string(first));
+  }
+}
+
 void validate_call(const SoupView& soup, const SoupOptions& options) {
   require_count("fixed", options.fixed.size(), soup.points.size(), "points");
   require_count("tolerance", options.tolerance.size(), soup.points.size(), "points");
@@ -50,6 +77,10 @@ void validate_call(const SoupView& soup, const SoupOptions& options) {
   for (std::size_t i = 0; i < soup.channels.size(); ++i)
     internal::SoupChannelMap(soup.channels[i])
         .validate("channel " + std::to_string(i), soup.points.size(), soup.triangles.size());
+  if (options.plane_flatness && !options.keep_planes)
+    reject("plane_flatness needs keep_planes, an area");
+  if (options.height_field)
+    require_height_field(soup, *options.height_field);
   if (options.crease_degrees < 180 && options.cost != SoupOptions::Cost::quadric)
     reject("crease_degrees needs the cost quadric, the only one with creases");
   if ((options.weighting != Weighting::by_area || options.line_weight != 0 ||

@@ -10,6 +10,7 @@ CostName = Literal["quadric", "memoryless_quadric", "thin_feature_quadric", "edg
 PlacementName = Literal["optimal", "midpoint", "endpoint"]
 OrderName = Literal["greedy", "relaxed"]
 WeightingName = Literal["by_area", "uniform", "by_squared_area"]
+AxisName = Literal["x", "y", "z"]
 TopologyName = Literal["kept", "free", "components_may_vanish"]
 PresetName = Literal["generated", "scan", "voxels", "print", "cad", "terrain", "game"]
 HullName = Literal["outer", "inner"]

@@ -67,6 +67,7 @@ def _words(name: str, *words: str) -> Any:
 Cost = _words("Cost", "quadric", "memoryless_quadric", "thin_feature_quadric", "edge_length")
 Placement = _words("Placement", "optimal", "endpoint", "midpoint")
 Order = _words("Order", "greedy", "relaxed")
+Axis = _words("Axis", "x", "y", "z")
 Topology = _words("Topology", "kept", "free", "components_may_vanish")
 Preset = _words("Preset", "generated", "scan", "voxels", "print", "cad", "terrain", "game")
 Weighting = _words("Weighting", "by_area", "uniform", "by_squared_area")
@@ -104,6 +105,10 @@ class Options:
     topology: Any = None
     manifold = False
     simplified_topology: Any = None
+    keep_planes: Any = None
+    plane_flatness: Any = None
+    voxel_size: Any = None
+    height_field: Any = None
     normal_flip = 90.0
     normal_deviation: Any = None
     no_self_intersection = False
@@ -203,8 +208,8 @@ class Contraction(CContraction):
 
 _COUNTS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "vertices_after", "contractions",
            "non_edge_contractions", "components_before", "components_after", "vanished_components", "cut_handles",
-           "split_components", "non_manifold_edges", "non_manifold_vertices", "duplicated_vertices", "doubled_faces",
-           "doubled_labels")
+           "split_components", "kept_planes", "non_manifold_edges", "non_manifold_vertices", "duplicated_vertices",
+           "doubled_faces", "doubled_labels")
 _REALS = ("largest_vanished_component", "error")
 _BOUNDS = ("distance_bound", "hausdorff_bound")  # infinite where JSON has null
 _UNKNOWN = ("volume_before", "volume_after", "normal_bound_degrees")  # or a number
@@ -214,7 +219,7 @@ _CAUSES = ("topology", "constraint", "normal flip", "shape", "degree", "distance
            "texture", "hull", "volume", "filter", "self-intersection", "normal deviation", "chord")
 _MEMBERS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "vertices_after", "contractions",
             "non_edge_contractions", "components_before", "components_after", "vanished_components",
-            "largest_vanished_component", "cut_handles", "split_components", "non_manifold_edges",
+            "largest_vanished_component", "cut_handles", "split_components", "kept_planes", "non_manifold_edges",
             "non_manifold_vertices", "duplicated_vertices", "doubled_faces", "doubled_labels", "stop",
             "is_target_reached", "error", "distance_bound", "hausdorff_bound", "used_tolerance", "volume_before",
             "volume_after", "self_intersections", "normal_bound_degrees", "rejections", "seconds")
@@ -331,6 +336,7 @@ def _line_of(r: Report) -> str:
         lambda: f"{r.vanished_components} components vanished, of sizes up to {r.largest_vanished_component:g}")
     add(r.cut_handles, lambda: f"{r.cut_handles} handles cut")
     add(r.split_components, lambda: f"{r.split_components} components cut in two")
+    add(r.kept_planes, lambda: f"{r.kept_planes} plane regions kept")
     add(r.non_manifold_edges + r.non_manifold_vertices,
         lambda: f"{r.non_manifold_edges} non-manifold edges, {r.non_manifold_vertices} non-manifold vertices")
     add(r.doubled_faces, lambda: f"{r.doubled_faces} duplicate faces left out")

@@ -8,7 +8,7 @@ import warnings
 from typing import TYPE_CHECKING, Any, Callable, Collection, Optional, TypedDict, Union
 
 from . import _core
-from ._choices import (CostName, OrderName, PlacementName, SeamsName, TopologyName, WeightingName,
+from ._choices import (AxisName, CostName, OrderName, PlacementName, SeamsName, TopologyName, WeightingName,
                        choice)
 from ._missed import warn_if_missed
 from ._options import function_of, make_options
@@ -41,6 +41,10 @@ class GltfOptions(TypedDict, total=False):
     position_noise: float
     topology: Optional[TopologyName]
     pairs_closer_than: Optional[float]
+    keep_planes: Optional[float]
+    plane_flatness: Optional[float]
+    voxel_size: Optional[float]
+    height_field: Optional[AxisName]
     normal_flip: float
     normal_deviation: Optional[float]
     no_self_intersection: bool

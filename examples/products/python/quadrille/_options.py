@@ -6,7 +6,7 @@ import operator
 from typing import Any, Callable, NamedTuple, Optional
 
 from . import _core
-from ._choices import CostName, OrderName, PlacementName, PresetName, TopologyName, WeightingName, choice
+from ._choices import AxisName, CostName, OrderName, PlacementName, PresetName, TopologyName, WeightingName, choice
 
 
 class Functions(NamedTuple):
@@ -43,6 +43,10 @@ def make_options(
     manifold: bool = False,
     simplified_topology: Optional[float] = None,
     pairs_closer_than: Optional[float] = None,
+    keep_planes: Optional[float] = None,
+    plane_flatness: Optional[float] = None,
+    voxel_size: Optional[float] = None,
+    height_field: Optional[AxisName] = None,
     normal_flip: float = 90.0,
     normal_deviation: Optional[float] = None,
     no_self_intersection: bool = False,
@@ -56,8 +60,9 @@ def make_options(
         if count is not None:
             setattr(options, name, read_count(name, count))
     for name, number in (("ratio", ratio), ("error", error), ("relative_error", relative_error),
-                         ("pairs_closer_than", pairs_closer_than), ("normal_deviation", normal_deviation),
-                         ("simplified_topology", simplified_topology)):
+                         ("pairs_closer_than", pairs_closer_than), ("keep_planes", keep_planes),
+                         ("plane_flatness", plane_flatness), ("voxel_size", voxel_size),
+                         ("normal_deviation", normal_deviation), ("simplified_topology", simplified_topology)):
         if number is not None:
             setattr(options, name, read_number(name, number))
     if target_reduction is not None:
@@ -75,6 +80,8 @@ def make_options(
         options.preset = choice("preset", preset, _core.Preset.__members__)
     if topology is not None:
         options.topology = choice("topology", topology, _core.Topology.__members__)
+    if height_field is not None:
+        options.height_field = choice("height_field", height_field, _core.Axis.__members__)
     numbers = dict(boundary_weight=boundary_weight, crease_degrees=crease_degrees,
                    crease_weight=crease_weight, line_weight=line_weight, normal_noise=normal_noise,
                    position_noise=position_noise, normal_flip=normal_flip, share=share)

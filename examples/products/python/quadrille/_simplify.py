@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
-from ._choices import CostName, HullName, OrderName, PlacementName, PresetName, TopologyName, WeightingName
+from ._choices import AxisName, CostName, HullName, OrderName, PlacementName, PresetName, TopologyName, WeightingName
 from ._forms import Array
 from ._levels import Levels
 from ._maps import SparseMap
@@ -51,6 +51,10 @@ def simplify(
     manifold: bool = False,
     simplified_topology: Optional[float] = None,
     pairs_closer_than: Optional[float] = None,
+    keep_planes: Optional[float] = None,
+    plane_flatness: Optional[float] = None,
+    voxel_size: Optional[float] = None,
+    height_field: Optional[AxisName] = None,
     normal_flip: float = 90.0,
     normal_deviation: Optional[float] = None,
     no_self_intersection: bool = False,
@@ -143,6 +147,14 @@ def simplify(
                      the surface there; Report.cut_handles counts them
     pairs_closer_than  points closer than this may be joined without an edge, in the unit of the points;
                      the topology then defaults to 'free'
+    keep_planes      plane regions of at least this area stay exactly in their planes, and their outlines keep
+                     their topology: see KeepPlanes in keep_planes.h
+    plane_flatness   how far points of such a region may be from its plane, into which they are moved; by
+                     default a millionth of the diagonal of the bounding box
+    voxel_size       the surface was made of voxels of this size: its stairs are smoothed first, by at most half
+                     a voxel along each axis; see VoxelSize in voxel_size.h
+    height_field     'x', 'y' or 'z': the surface shows one side only to a viewer on this axis, and the result
+                     does as well
     normal_flip      no single contraction turns a face by this many degrees or more, in (0, 180]
     normal_deviation  no normal deviates by more degrees than this from the normals of the input that it
                      replaces, in (0, 180)
@@ -207,7 +219,8 @@ def simplify(
         crease_degrees=crease_degrees, crease_weight=crease_weight, weighting=weighting,
         line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
         preset=preset, topology=topology, manifold=manifold, simplified_topology=simplified_topology,
-        pairs_closer_than=pairs_closer_than, normal_flip=normal_flip,
+        pairs_closer_than=pairs_closer_than, keep_planes=keep_planes, plane_flatness=plane_flatness,
+        voxel_size=voxel_size, height_field=height_field, normal_flip=normal_flip,
         normal_deviation=normal_deviation, no_self_intersection=no_self_intersection,
         keep_solid=keep_solid, share=share, refresh=refresh)
     functions = Functions(cost if callable(cost) else None, function_of("filter", filter),

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/core/appearance/channel_input.h>
 #include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/points.h>
 #include <quadrille/internal/planar/surface_sides.h>
 #include <quadrille/quadric_form.h>
 
@@ -26,6 +27,18 @@ struct FlatLimits {
                        ///< fraction of its range
   double thinnest = 0; ///< the normal of a face that is no higher than this is ignored
 };
+
+/// Returns the greatest rounding error of such positions, if they are all floats, or doubles.
+inline double rounding_of(std::span<const Vector<3>> positions) {
+  double greatest = 0;
+  bool are_floats = true;
+  for (const Vector<3>& p : positions)
+    for (double x : p.coordinates) {
+      greatest = (std::max)(greatest, std::abs(x));
+      are_floats = are_floats && static_cast<double>(to_number<float>(x)) == x;
+    }
+  return greatest * (are_floats ? 0x1p-24 : 0x1p-53);
+}
 
 /// A plane, with the side to which the normal of length 1 points.
 struct Plane {

@@ -35,15 +35,23 @@ public:
       : surface_(surface), flatness_(surface, limits), may_cross_(may_cross),
         patch_of_(surface.sides.face_count(), none), round_of_(patch_of_.size(), 0) {}
 
-  /// Returns all patches; each triangle is in exactly one.
-  std::vector<PlanarPatch> patches() {
-    std::vector<PlanarPatch> patches;
+  /// Calls visit(patch) for each patch; each triangle is in exactly one.
+  template <class Visit>
+  void for_each_patch(Visit visit) {
+    Index count = 0;
     for (Index seed : by_area())
       if (patch_of_[seed] == none) {
-        patches.push_back(patch_at(seed));
-        for (Index f : patches.back().faces)
-          patch_of_[f] = static_cast<Index>(patches.size() - 1);
+        PlanarPatch patch = patch_at(seed);
+        for (Index f : patch.faces)
+          patch_of_[f] = count;
+        visit(std::move(patch));
+        ++count;
       }
+  }
+  /// Returns all patches.
+  std::vector<PlanarPatch> patches() {
+    std::vector<PlanarPatch> patches;
+    for_each_patch([&](PlanarPatch patch) { patches.push_back(std::move(patch)); });
     return patches;
   }
   /// Returns the patch of each face, after patches() has been called; none for a face that is not a

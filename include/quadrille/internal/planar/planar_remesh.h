@@ -50,18 +50,6 @@ inline std::vector<unsigned char> crossable_sides(const SurfaceInput<3>& input,
   return may_cross;
 }
 
-/// Returns the greatest rounding error of such positions, if they are all floats, or doubles.
-inline double rounding_of(const Array<Vector<3>>& positions) {
-  double greatest = 0;
-  bool are_floats = true;
-  for (const Vector<3>& p : positions)
-    for (double x : p.coordinates) {
-      greatest = (std::max)(greatest, std::abs(x));
-      are_floats = are_floats && static_cast<double>(to_number<float>(x)) == x;
-    }
-  return greatest * (are_floats ? 0x1p-24 : 0x1p-53);
-}
-
 /// Finds the planar patches of an input and triangulates them again, with the limits in the unit of
 /// the input.
 ///

@@ -44,6 +44,8 @@ enum class Kind {
   order,
   filter,
   topology,
+  planes,
+  voxels,
   labels,
   channel,
   split_vertices,
@@ -103,6 +105,10 @@ constexpr Kind kind_of() {
     return Kind::named_parameters;
   else if constexpr (std::same_as<T, Topology>)
     return Kind::topology;
+  else if constexpr (std::same_as<T, KeepPlanes>)
+    return Kind::planes;
+  else if constexpr (std::same_as<T, VoxelSize>)
+    return Kind::voxels;
   else if constexpr (is_labels<T>)
     return Kind::labels;
   else if constexpr (is_channel<T>)
@@ -285,6 +291,27 @@ std::optional<Topology> pick_topology([[maybe_unused]] const Arguments&... argum
     return std::nullopt;
 }
 
+/// Adds what an argument of a kind does to an input before it is simplified, if it is given.
+template <Kind kind, class Cost, class... Arguments>
+void add_preparation([[maybe_unused]] Preparations<Cost::dimension>& preparations,
+                     [[maybe_unused]] const Arguments&... arguments) {
+  if constexpr (count_of < kind, Cost, Arguments... >> 0)
+    if_given(pick<kind, Cost, NotGiven>(arguments...), [&](const auto& given) {
+      validate(given);
+      preparations.push_back(
+          [given](SurfaceInput<Cost::dimension>& input) { given.prepare(input); });
+    });
+}
+
+/// Returns these in their order: a surface is smooth before its planes are found.
+template <class Cost, class... Arguments>
+Preparations<Cost::dimension> pick_preparations(const Arguments&... arguments) {
+  Preparations<Cost::dimension> preparations;
+  add_preparation<Kind::voxels, Cost>(preparations, arguments...);
+  add_preparation<Kind::planes, Cost>(preparations, arguments...);
+  return preparations;
+}
+
 /// Rejects, at compile time, a call with two arguments where one is meant.
 template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
 constexpr void check_counts() {
@@ -311,6 +338,10 @@ constexpr void check_counts() {
                 "simplify takes one recorder: pass record_into only once.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
+  static_assert(count_of<Kind::planes, Cost, Arguments...> <= 1,
+                "simplify takes one KeepPlanes: pass only one.");
+  static_assert(count_of<Kind::voxels, Cost, Arguments...> <= 1,
+                "simplify takes one VoxelSize: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
                 "simplify takes one chain of named parameters: join them with a dot.");
 }
@@ -341,6 +372,12 @@ constexpr void check_guards() {
                 "Leave RelaxedOrder out.");
 }
 
+/// The policies of a call with a cost, a placement, and what it carries in addition to the shape.
+template <class Cost, class Placement, class Carried>
+using PoliciesOf =
+    Policies<std::remove_const_t<Cost>, EnginePlacement<std::remove_const_t<Placement>>,
+             std::remove_const_t<Carried>::has_channels>;
+
 /// All policies of a call, checked for fitting together. Cost and placement may be template
 /// arguments, or NotGiven.
 template <class CostArgument, class PlacementArgument, class... Arguments>
@@ -355,16 +392,15 @@ auto pick_policies(const Arguments&... arguments) {
   const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
   const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
   const auto given_order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
+  using Order = std::remove_const_t<decltype(given_order)>;
   check_stop<Contained<decltype(stop)>, Cost>();
   validate_all(cost, placement, pairs, stop);
   const CallOrder order = call_order(given_order);
-  check_guards<std::remove_const_t<decltype(given_order)>, Arguments...>();
+  check_guards<Order, Arguments...>();
   const auto guards = pick_guards<Cost>(arguments...);
   guards.require_greedy_order(order.passes.has_value());
   const auto carried = pick_carried<Cost>(arguments...);
-  using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
-                                      EnginePlacement<std::remove_const_t<decltype(placement)>>,
-                                      std::remove_const_t<decltype(carried)>::has_channels>;
+  using Policies = PoliciesOf<decltype(cost), decltype(placement), decltype(carried)>;
   constexpr bool is_recorded = count_of<Kind::recorder, Cost, Arguments...> == 1;
   Policies policies{
       cost,
@@ -377,10 +413,10 @@ auto pick_policies(const Arguments&... arguments) {
       threads_here(order.threads()),
       pick_recorder<Cost>(arguments...),
       guards.topology_with(pick_topology<Cost>(arguments...)),
+      pick_preparations<Cost>(arguments...),
       pick_filters<Cost>(arguments...),
       guards,
-      optional_modules<Policies, Contained<decltype(stop)>, Contained<decltype(given_order)>,
-                       is_recorded>()};
+      optional_modules<Policies, Contained<decltype(stop)>, Contained<Order>, is_recorded>()};
   policies.threads.validate();
   return policies;
 }

@@ -63,6 +63,25 @@ void check_tolerances(const Input& input, const StopRule& stop, bool have_faces)
                                 "vertex_tolerance_map: pass ToleranceLimit as stop policy");
 }
 
+/// Prepares an input. Throws if the placement would leave the planes in which vertices have to
+/// stay, or has to contain a surface that is no longer there.
+template <class Policies>
+void prepare(SurfaceInput<Policies::Cost::dimension>& input, const Policies& policies,
+             Report& report) {
+  using Placement = typename Policies::Placement;
+  for (const auto& preparation : policies.preparations)
+    preparation(input);
+  report.kept_planes = input.planes.regions;
+  if constexpr (looks_at_star<Placement>)
+    if (input.planes.regions > 0)
+      throw std::invalid_argument("quadrille::simplify: KeepPlanes does not go with a placement "
+                                  "that looks at the faces around a pair: a hull, VolumeKeeping");
+  if constexpr (needs_closed_surface<Placement>)
+    if (!input.moved.empty())
+      throw std::invalid_argument("quadrille::simplify: VoxelSize does not go with a hull, which "
+                                  "has to contain the input");
+}
+
 /// The surface once pairs have been contracted; nothing if the visitor cancels before the first.
 template <class Policies>
 std::optional<typename ResultOf<Policies>::Finished>
@@ -73,6 +92,7 @@ contract_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
   const auto box = box_of_units(input, own_box);
   if (policies.pairs.ignores_indices())
     SpatialOrder::apply(input, own_box, policies.threads);
+  prepare(input, policies, report);
   WorkingSurface<Policies> surface(std::move(input), box, policies);
   const EnclosedVolume volume(surface, box);
   report.volume_before = volume(surface);

@@ -48,6 +48,9 @@ public:
         return cause;
     if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
       return Rejection::position;
+    if (!state_.planes.empty()) [[unlikely]]
+      if (state_.planes.of_pair(a, b) == none || state_.planes.flatten(star, a, b))
+        return Rejection::constraint;
     if (state_.is_topology_kept &&
         !state_.link_condition.holds(star, a, b, contraction.scratch().labels))
       return Rejection::topology;
@@ -80,6 +83,9 @@ private:
 
   // Why a filter rejects a target, if one does.
   std::optional<Rejection> rejection(const Contraction& contraction, const Position& target) const {
+    if (!state_.planes.empty()) [[unlikely]]
+      if (!state_.planes.admit(contraction.first(), contraction.second(), target, state_.scale))
+        return Rejection::constraint;
     const ContractionView<dimension> view(
         contraction.star(), state_.complex, state_.geometry.positions().data(),
         contraction.pair().first, contraction.pair().second, target);

@@ -211,7 +211,7 @@ private:
   QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
                                               VertexLabels& labels) const {
     if constexpr (has_two_lanes<Cost, typename EstimateOf<Placement>::type>)
-      if (is_optimal(policies().placement)) {
+      if (is_optimal(policies().placement) && state_.planes.empty()) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
         if (high_valence_vertices().any())
           evaluate_at_high_valence(pairs, values);
@@ -255,10 +255,22 @@ private:
       return geometry().is_fixed(a) ? pair.first : pair.second;
     if (const Index high_valence = high_valence_vertices().of_pair(a, b); high_valence != none)
       return high_valence == a ? pair.first : pair.second;
+    if (!state_.planes.empty()) [[unlikely]]
+      return target_in_planes(pair, a, b);
+    return placed(pair, a, b);
+  }
+
+  QUADRILLE_ALWAYS_INLINE Position placed(const Pair& pair, Index a, Index b) const {
     if constexpr (is_scale_free<Placement>)
       return policies().placement(policies().cost, names_.for_placement(pair, a, b));
     else
       return target_in_mesh_units(pair, a, b);
+  }
+
+  QUADRILLE_NOINLINE Position target_in_planes(const Pair& pair, Index a, Index b) const {
+    Position x = placed(pair, a, b);
+    state_.planes.move(x, a, b, pair.first, pair.second);
+    return x;
   }
 
   QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair, Index a, Index b) const {

@@ -6,6 +6,7 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/kept_planes.h>
 #include <quadrille/quadric_form.h>
 
 #include <algorithm>
@@ -48,6 +49,8 @@ struct SurfaceInput {
   /// The tolerance of each vertex, in the mesh's units; empty if there are none. See
   /// ToleranceLimit.
   std::vector<double> tolerances;
+  PlanesOfInput planes;     ///< in which vertices have to stay; there may be none
+  std::vector<Index> moved; ///< vertices that are no longer where the user's are
   /// May it have faces on the same three vertices? One of those is left, or with
   /// may_have_reverse_faces one of each orientation.
   bool has_duplicate_faces = false;

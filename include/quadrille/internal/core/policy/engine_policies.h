@@ -136,6 +136,12 @@ private:
   void (*end_)(void*, StopReason) = nullptr;
 };
 
+template <std::size_t N>
+struct SurfaceInput;
+/// Functions that change an input before it is simplified, in this order: see KeepPlanes and
+/// VoxelSize.
+template <std::size_t N>
+using Preparations = std::vector<std::function<void(SurfaceInput<N>&)>>;
 template <class Policies>
 class WorkingSurface;
 template <class Policies>
@@ -200,6 +206,7 @@ struct Policies {
   Threads threads;                            // as many as the order asks for
   std::optional<RecorderHandle> recorder;     // receives contractions
   std::optional<Topology> topology;           // nothing: as the mesh and the pairs suggest
+  Preparations<Cost_::dimension> preparations;
   FilterList<Cost::dimension> filters;
   GuardSet<Cost::dimension> guards;
   OptionalModules<Policies> optional;

@@ -25,6 +25,7 @@
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/geometry.h>
+#include <quadrille/internal/core/surface/kept_planes.h>
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/internal/core/surface/shared_vertices.h>
@@ -117,8 +118,12 @@ inline std::vector<Scratch> scratches_for(unsigned threads, const TriangleComple
 template <std::size_t N>
 class MovedVertices {
 public:
-  explicit MovedVertices(const Geometry<N>& geometry, Arena* arena)
-      : geometry_(geometry), is_moved_(geometry.positions().size(), 0, arena) {}
+  /// `moved`: before the first contraction.
+  MovedVertices(const Geometry<N>& geometry, const std::vector<Index>& moved, Arena* arena)
+      : geometry_(geometry), is_moved_(geometry.positions().size(), 0, arena) {
+    for (Index v : moved)
+      is_moved_[v] = 1;
+  }
 
   static auto vertex_arrays(auto& self) { return std::tie(self.is_moved_); }
 
@@ -159,7 +164,8 @@ struct SurfaceState {
         geometry(complex, scale.scaled(std::move(input.positions)), std::move(input.is_fixed),
                  policies.threads),
         shared(std::move(input.is_shared), std::move(input.boundaries), numbering),
-        moved(geometry, complex.arena()), states(complex.arena()),
+        planes(input.planes, scale, complex.arena()),
+        moved(geometry, input.moved, complex.arena()), states(complex.arena()),
         importance(relative_importances(input.importances)),
         appearance(policies, complex, geometry, states) {
     if (!is_topology_kept || input.has_duplicate_faces)
@@ -216,6 +222,7 @@ struct SurfaceState {
     states.contract(event);
     link_condition.merge(event.kept, event.gone);
     appearance.seams().merge(event.kept, event.gone);
+    planes.merge(event.kept, event.gone);
     importance.merge(event.kept, event.gone);
   }
 
@@ -235,7 +242,7 @@ struct SurfaceState {
   /// The members with vertex arrays, to be packed, prefetched and counted: see vertex_arrays.h.
   static auto array_owners(auto& self) {
     return std::tie(self.appearance.channels(), self.appearance.seams(), self.numbering, self.moved,
-                    self.states, self.geometry, self.shared, self.link_condition, self.importance,
+                    self.states, self.geometry, self.shared, self.planes, self.link_condition, self.importance,
                     self.components);
   }
 
@@ -250,6 +257,7 @@ struct SurfaceState {
   Numbering numbering;
   Geometry<dimension> geometry;
   SharedVertices shared;
+  KeptPlanes planes; // mostly none
   MovedVertices<dimension> moved;
   Components<dimension> components; // none before they are measured
   InputComponents input_components; // none where topology is kept
