@@ -56,7 +56,7 @@ struct HiddenSummary {
   std::size_t faces = 0, hidden = 0; ///< of IN
   double area_fraction = 0;          ///< the hidden area as a fraction of the whole one
   std::size_t cut_edges = 0;
-  std::vector<Group> groups; ///< the largest area first
+  std::vector<Group> groups = {}; ///< the largest area first
 };
 
 /// The answer to --hidden for a surface.
