@@ -31,11 +31,17 @@ expect 'quadrille --boundary l' lock
 expect 'quadrille --format ' glb
 expect 'quadrille --out-' --out-of-core
 expect 'quadrille --step c' close
+expect 'quadrille --boundary-weight l' lock
+expect 'quadrille --weighting ' by-squared-area
+expect 'quadrille --pairs-c' --pairs-closer-than
 cd "$(mktemp -d)" || exit 1
 touch in.ply in.txt run.qlv
 expect 'quadrille in' in.ply
 [[ " ${COMPREPLY[*]} " != *in.txt* ]] || { failures=$((failures + 1)); echo "a text is no mesh"; }
 expect 'quadrille --from r' run.qlv
+expect 'quadrille --weld in' in.ply
+expect 'quadrille --error ' ''
+[ ${#COMPREPLY[@]} -eq 0 ] || { failures=$((failures + 1)); echo "a distance is completed"; }
 rm -f in.ply in.txt run.qlv && rmdir "$PWD"
 
 echo "$failures failures"

@@ -223,12 +223,13 @@ tables() {
       done ;;
     program)
       for option in $(printf '%s\n' "$code" | grep -oE -e '--[a-z-]+' || true); do
-        grep -rqE -e "[\",]$option[\",]" examples/products/program || missing "$line" "$option"
+        options_of_program | grep -qx -e "$option" || missing "$line" "$option"
         count=$((count + 1))
       done ;;
     Python)
       for argument in $(printf '%s\n' "$code" | grep -oE '\b[a-z_]+=' | tr -d = || true); do
-        grep -rqE "^ +$argument:" examples/products/python/quadrille || missing "$line" "$argument="
+        grep -rqE "^ +$argument:|^QUADRILLE_(CHANNEL_|JOB_)?OPTION\([a-z_]+, $argument, .*Python" \
+          examples/products/python/quadrille include/quadrille/compiled/options.def || missing "$line" "$argument="
         count=$((count + 1))
       done ;;
     CGAL_5.5 | CGAL_6)
@@ -301,12 +302,20 @@ folders() {
   return $status
 }
 
+# Prints the options of the program: those of the table of options, and those that its sources add.
+options_of_program() {
+  {
+    find examples/products/program -name '*.h' -o -name '*.cpp' | sort | xargs cat | tr '\n' ' ' |
+      grep -oE '(\.add_[a-z_]+(<[a-z:]+>)?|\badd)\( *"(-[a-z],)?--[a-z,-]+"' | grep -oE -e '--[a-z-]+'
+    perl -ne '/^QUADRILLE_(?:CHANNEL_)?OPTION\(\w+, (\w+), (?:".*?", ){3}".*?program.*?", "(.*?)"/ or next;
+      for ($1, $2) { print "--", tr/_/-/r, "\n" if $_ ne "" }' include/quadrille/compiled/options.def
+  } | sort -u | grep -vxE -e '--(help|version)'
+}
+
 # tool.md has each option of the program, and it and formats.md no other one.
 options() {
   status=0
-  find examples/products/program -name '*.h' -o -name '*.cpp' | sort | xargs cat | tr '\n' ' ' |
-    grep -oE '(\.add_[a-z_]+(<[a-z:]+>)?|\badd)\( *"(-[a-z],)?--[a-z,-]+"' | grep -oE -e '--[a-z-]+' | sort -u |
-    grep -vxE -e '--(help|version)' > "$folder/registered"
+  options_of_program > "$folder/registered"
   grep -ohE -e '--[a-z][a-z-]+' doc/manual/tool.md doc/manual/formats.md | sort -u | grep -vx -e --help > "$folder/written"
   for option in $(comm -23 "$folder/registered" "$folder/written"); do
     echo "doc/manual/tool.md: there is no $option" >&2

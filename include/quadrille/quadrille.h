@@ -93,7 +93,7 @@ typedef struct quadrille_option {
   const char* unit;       /**< empty: none */
   const char* places;     /**< the interfaces that have it: C, program, Python, web */
   const char* short_form; /**< the short form in the program; empty: none */
-  const char* sentence;   /**< the description */
+  const char* sentence;   /**< the description; names of options and words are in backquotes */
 } quadrille_option;
 
 /** Returns the number of options of a call (`of_channels` is 0) or of a channel (1). */

@@ -9,7 +9,7 @@
 #include "help_formatter.h"
 #include "options.h"
 #include "out_of_core_options.h"
-#include "policy_options.h"
+#include "table_options.h"
 
 #include <quadrille/version.h>
 
@@ -22,55 +22,49 @@
 
 namespace quadrille_examples {
 
-/// Options that are for a mesh that is read, and not for a record.
-inline constexpr const char* target_group =
-    "Target: the run stops at the first one that is met; if there is none, at half of "
-    "the faces";
+/// Returns the group of an option of the table.
+inline std::string group_of(const CLI::App& app, const std::string& option) {
+  return app.get_option(option)->get_group();
+}
 
+/// The options of the target that are not in the table.
 inline void add_target(CLI::App& app, Options& options) {
-  Target& target = options.target;
-  const auto in_group = [](CLI::Option* option, const CLI::Validator& check, const char* type) {
-    return option->check(check)->type_name(type)->group(target_group);
-  };
-  in_group(app.add_option("--faces", target.faces, "stop at N faces"), count(), "N");
-  in_group(app.add_option_function<std::string>(
-               "--keep,--ratio",
-               [&](const std::string& word) { target.ratio = amount_of(word).value; },
-               "stop at this fraction of the faces, such as 10% or 0.1"),
-           amount("a fraction from 0 to 1 or from 0% to 100%, such as 0.1 or 10%", 1), "FRACTION");
-  in_group(app.add_option("--vertices", target.vertices, "stop at N vertices"), count(), "N");
-  in_group(
-      app.add_option_function<std::string>(
-          "--error", [&](const std::string& word) { target.error = amount_of(word); },
-          "no point of OUT is further than this from IN, in the units of IN or as a percentage "
-          "of the diagonal of its bounding box; features of IN that are lost, such as thin "
-          "spikes, may be further from OUT unless --both-ways is given (see --measure)"),
-      distance(), "D|P%");
-  app.add_flag("--both-ways", target.both_ways,
-               "apply --error both ways: no point of IN is further than that from OUT either, so "
-               "thin spikes stay")
-      ->group(target_group)
-      ->needs("--error");
-  app.add_flag(
-         "--calibrated", target.is_calibrated,
-         "continue until the measured distance reaches --error, both ways: half as many faces "
-         "or fewer, in several runs that take many times as long")
-      ->group(target_group)
-      ->needs("--both-ways");
+  app.get_option("--both-ways")->needs("--error");
+  app.get_option("--calibrated")->needs("--both-ways");
+  app.add_option_function<std::string>(
+         "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
+         "several results, each coarser than the one before: fractions or counts of the faces "
+         "(50%,25%,1000) or distances (error=0.1%,error=0.5%); they are written to OUT-1, "
+         "OUT-2, ... with the extension of OUT, or for glTF into the one file OUT, as MSFT_lod")
+      ->check({complaint_of_levels, ""})
+      ->type_name("LIST")
+      ->group(group_of(app, "--error"));
+}
+
+/// The options for parts of the surface that are not in the table.
+inline void add_parts(CLI::App& app, Options& options) {
+  const std::string group = group_of(app, "--topology");
+  app.add_flag("--drop-parts", options.drops_components,
+               "small components may be removed where that is the cheapest step; the rest of the "
+               "topology is kept. This is the default for glTF, OBJ and PLY")
+      ->group(group);
+  app.add_flag("--keep-parts", options.keeps_components,
+               "no component vanishes. This is the default for other formats")
+      ->group(group);
   app.add_option(
-         "--tolerance", target.tolerance,
-         "a limit that varies over the surface: no face of IN is further from OUT than the "
-         "smallest value of this scalar at its vertices, in the units of IN (PLY files have "
-         "such scalars)")
-      ->type_name("NAME")
-      ->group(target_group);
-  in_group(
-      app.add_option_function<std::string>(
-          "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
-          "several results, each coarser than the one before: fractions or counts of the faces "
-          "(50%,25%,1000) or distances (error=0.1%,error=0.5%); they are written to OUT-1, "
-          "OUT-2, ... with the extension of OUT, or for glTF into the one file OUT, as MSFT_lod"),
-      {complaint_of_levels, ""}, "LIST");
+         "--region", options.region,
+         "simplify only these faces, leave all others as they are, and count only these for "
+         "the target: names of objects, groups or materials (head,arm), or scalars of faces "
+         "with a value or not 0 (label=3,label=7)")
+      ->check(word_that([](const std::string& list) { return !list.empty(); }, "a list of names"))
+      ->type_name("LIST")
+      ->group(group);
+  app.add_option("--labels", options.labels,
+                 "keep the regions of these integer attributes of a glTF file, as those of its "
+                 "materials: names such as _PART,_LAYER; other integer attributes have no effect")
+      ->delimiter(',')
+      ->type_name("LIST")
+      ->group(group);
 }
 
 inline void add_files(CLI::App& app, Options& options) {
@@ -98,10 +92,6 @@ inline void add_files(CLI::App& app, Options& options) {
   app.add_flag(
          "--orient", options.orients,
          "turn faces so that neighbours are wound alike, across all edges that two faces share")
-      ->group("Files");
-  app.add_flag("--manifold", options.is_manifold,
-               "cut IN into manifold sheets first: at edges of more than two faces, and where "
-               "sheets touch at a vertex")
       ->group("Files");
   app.add_option_function<std::string>(
          "--hidden", [&](const std::string& word) { options.hidden = parse_hidden(word).value(); },
@@ -146,7 +136,7 @@ inline void add_figures(CLI::App& app, Options& options) {
                "--no-self-intersection, --solid and --normals promise")
       ->group("Figures");
   app.add_option("--report", options.report, "write the figures of the run to this file, as JSON")
-      ->type_name("FILE")
+      ->type_name("FILE.json")
       ->group("Figures");
   app.add_flag("--quiet,-q", options.is_quiet, "print errors only")->group("Figures");
   app.add_flag("--verbose,-v", options.is_verbose, "print everything that is known about the run")
@@ -157,13 +147,14 @@ inline void add_figures(CLI::App& app, Options& options) {
 inline void add_records(CLI::App& app, Options& options) {
   app.add_option("--record", options.record,
                  "write all levels from IN to the target to this file (.qlv), positions only")
-      ->type_name("FILE")
+      ->type_name("FILE.qlv")
       ->group("Files");
   app.add_option("--from", options.from, "read the target's level from this record instead of IN")
-      ->type_name("FILE")
+      ->type_name("FILE.qlv")
       ->group("Files");
   app.callback([&] {
     require_compatible(app);
+    options.target.take(options.soup);
     if (!options.from.empty() && !options.output.empty())
       throw CLI::ValidationError("--from", "the record replaces IN: give only OUT");
     if (!options.from.empty())
@@ -180,9 +171,13 @@ inline void require_consistency(const Options& options) {
     if (is_wrong)
       throw std::runtime_error(message);
   };
-  reject_if(options.cost == "length" && options.placement == "optimal",
+  using Cost = quadrille::SoupOptions::Cost;
+  using Placement = quadrille::SoupOptions::Placement;
+  const quadrille::SoupOptions& soup = options.soup;
+  reject_if(soup.cost == Cost::edge_length && soup.placement == Placement::optimal,
             "--placement optimal does not go with --cost length");
-  reject_if(options.drops_components && (options.topology == "free" || options.joins_pairs()),
+  reject_if(options.drops_components &&
+                (soup.topology == quadrille::Topology::free || options.joins_pairs()),
             "--drop-parts does not go with --topology free or --pairs: it keeps the rest of the "
             "topology");
   reject_if(options.cuts_handles() && topology(options) == quadrille::Topology::free,
@@ -191,27 +186,26 @@ inline void require_consistency(const Options& options) {
   reject_if(options.cuts_handles() && (options.promises() || !options.record.empty()),
             "--cut-handles does not go with --error, --tolerance, --no-self-intersection, --solid, "
             "--normals or --record: nothing is promised of the faces that close a cut");
-  reject_if(options.is_manifold && topology(options) == quadrille::Topology::free,
+  reject_if(options.soup.manifold && topology(options) == quadrille::Topology::free,
             "--manifold does not go with --topology free or --pairs: these make edges of more than "
             "two faces");
-  reject_if((options.cuts_handles() || options.is_manifold) &&
+  reject_if((options.cuts_handles() || options.soup.manifold) &&
                 is_gltf(extension_of(options.input, options)),
             "--cut-handles and --manifold do not go with glTF: its meshes are split at seams");
-  reject_if(options.hidden.drops() && (options.target.both_ways || options.keeps_solid ||
-                                       !options.target.tolerance.empty()),
+  reject_if(options.hidden.drops() &&
+                (options.target.both_ways || soup.keep_solid || !options.target.tolerance.empty()),
             "--hidden drop does not go with --both-ways, --tolerance or --solid: dropped faces are "
             "not in OUT");
-  reject_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
-                                       options.cost == "thin-features"),
+  reject_if(soup.crease_degrees != 180 && soup.cost != Cost::quadric,
             "--crease goes with --cost quadric, color and texture only");
   reject_if(options.has_lines_or_noise() && !options.cost.empty() && options.cost != "quadric",
-            "--lines, --normal-noise, --noise and --squared-areas go with --cost quadric only");
-  reject_if(options.forbids_intersections && options.is_relaxed,
+            "--lines, --normal-noise, --noise and --weighting go with --cost quadric only");
+  reject_if(soup.no_self_intersection && options.is_relaxed(),
             "--no-self-intersection does not go with --order relaxed: the blocks of a pass do not "
             "see each other");
-  reject_if(options.keeps_solid && options.is_relaxed,
+  reject_if(soup.keep_solid && options.is_relaxed(),
             "--solid does not go with --order relaxed: the blocks of a pass do not see each other");
-  reject_if(options.keeps_solid && topology(options) != quadrille::Topology::kept,
+  reject_if(soup.keep_solid && topology(options) != quadrille::Topology::kept,
             "--solid keeps the topology: it does not go with --topology free, --pairs or "
             "--drop-parts");
   reject_if(options.target.is_calibrated && !options.record.empty(),
@@ -219,7 +213,7 @@ inline void require_consistency(const Options& options) {
   reject_if(options.verifies && !options.promises(),
             "--verify needs a promise to check: --error, --tolerance, --no-self-intersection, "
             "--solid or --normals");
-  reject_if(options.threads > 0 && !options.is_relaxed && options.scratch.empty(),
+  reject_if(options.threads > 0 && !options.is_relaxed() && options.scratch.empty(),
             "--threads needs --order relaxed or --out-of-core");
   reject_if(!options.scratch.empty() && (options.cost == "color" || options.cost == "texture"),
             "--out-of-core uses positions only: it does not go with --cost " + options.cost);
@@ -231,17 +225,9 @@ inline void add_options(CLI::App& app, Options& options) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("--help,-h", "print this and exit");
   app.set_version_flag("--version,-V", QUADRILLE_PROGRAM_VERSION, "print the version and exit");
+  TableOptions::add(app, options);
   add_target(app, options);
-  add_cost(app, options);
-  add_boundary(app, options);
-  add_quadric(app, options);
-  add_region(app, options);
-  add_labels(app, options);
-  add_preset(app, options);
-  add_topology(app, options);
-  add_promises(app, options);
-  add_seams(app, options);
-  add_order(app, options);
+  add_parts(app, options);
   add_files(app, options);
   add_figures(app, options);
   add_records(app, options);

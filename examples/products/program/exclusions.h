@@ -4,9 +4,14 @@
 /// \file
 /// Options that do not go with each other, and why.
 
+#include "option_names.h"
+
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace quadrille_examples {
 
@@ -34,15 +39,25 @@ inline constexpr Exclusion exclusions[] = {
      "a record does not contain IN to compare OUT with: use --measure in the run that "
      "writes the record"}};
 
-/// Those that belong to the run that has made a record.
+/// The options that belong to the run that has made a record, beside those of the table.
 inline constexpr const char* options_of_recorded_runs[] = {
-    "--record",    "--cost",         "--placement",   "--topology",      "--threads",
-    "--both-ways", "--boundary",     "--drop-parts",  "--levels",        "--tolerance",
-    "--lines",     "--normal-noise", "--noise",       "--squared-areas", "--importance",
-    "--crease",    "--pairs",        "--normals",     "--solid",         "--no-self-intersection",
-    "--seams",     "--order",        "--weld",        "--orient",        "--keep-partial",
-    "--region",    "--labels",       "--cut-handles", "--manifold",      "--preset",
-    "--hidden"};
+    "--record",       "--drop-parts", "--levels", "--weld",  "--orient",
+    "--keep-partial", "--region",     "--labels", "--hidden"};
+
+/// The options of the table that choose a level.
+inline constexpr std::string_view options_of_levels[] = {"faces", "ratio", "vertices", "error"};
+
+/// Calls visit(name) for each option of the program that is in the table and not in a list.
+template <class Visit>
+void for_others(std::span<const std::string_view> list, const Visit& visit) {
+  const auto visit_others = [&](std::span<const Option> rows) {
+    for (const Option& row : rows)
+      if (is_in_program(row) && std::find(list.begin(), list.end(), row.name) == list.end())
+        visit(name_of(row));
+  };
+  visit_others(quadrille::internal::call_options);
+  visit_others(quadrille::internal::channel_options);
+}
 
 /// Throws if an option is there that does not go with another one, with the reason.
 inline void reject_with(const CLI::App& app, const Exclusion& exclusion) {
@@ -59,8 +74,13 @@ inline void require_compatible(const CLI::App& app) {
   };
   for (const Exclusion& exclusion : exclusions)
     refuse(exclusion);
+  const auto refuse_with_record = [&](const std::string& option) {
+    refuse(
+        {"--from", option.c_str(), "a level of a record is already simplified, and is only read"});
+  };
   for (const char* const option : options_of_recorded_runs)
-    refuse({"--from", option, "a level of a record is already simplified, and is only read"});
+    refuse_with_record(option);
+  for_others(options_of_levels, refuse_with_record);
 }
 
 } // namespace quadrille_examples

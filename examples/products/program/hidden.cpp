@@ -85,7 +85,7 @@ void drop(const std::vector<bool>& is_dropped, Options& options, IndexedMesh& me
   follow_triangles(mesh.parts.of_faces, kept);
   for (NamedNumbers& numbers : mesh.face_numbers)
     follow_triangles(numbers.values, kept);
-  follow_triangles(options.selected, kept);
+  follow_triangles(options.soup.selected, kept);
 }
 
 std::vector<double> weights_of(const Options& options, const quadrille::SoupPoints& points,
@@ -130,9 +130,9 @@ std::optional<HiddenSummary> prepare_hidden(Options& options, IndexedMesh& mesh,
   if (!answer.is_dropped.empty())
     drop(answer.is_dropped, options, mesh);
   if (!answer.importances.empty())
-    options.importances.resize(mesh.points.size(), 1);
+    options.soup.importance.resize(mesh.points.size(), 1);
   for (std::size_t v = 0; v < answer.importances.size(); ++v)
-    options.importances[v] *= answer.importances[v];
+    options.soup.importance[v] *= answer.importances[v];
   return std::move(answer.summary);
 }
 

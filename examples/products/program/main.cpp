@@ -50,7 +50,7 @@ unsigned threads_of(const Options& options) {
 bool run(Options options, ProgressLine& progress) {
   require_consistency(options);
   options.threads = threads_of(options);
-  options.proceed = [&](const quadrille::Status& status) {
+  options.soup.proceed = [&](const quadrille::Status& status) {
     progress.show(status);
     return !Interruption::is_asked();
   };
@@ -90,9 +90,10 @@ bool run(Options options, ProgressLine& progress) {
     return run_mesh(options, progress);
   if (!options.record.empty())
     throw std::runtime_error(options.input + ": --record does not go with glTF");
-  if (!options.importance.empty() || !options.target.tolerance.empty())
+  if (!options.scalars.empty() || !options.target.tolerance.empty())
     throw std::runtime_error(
-        options.input + (options.importance.empty() ? ": --tolerance" : ": --importance") +
+        options.input + ": " +
+        spelled(options.scalars.empty() ? "tolerance" : options.scalars.begin()->first) +
         " needs vertices with named scalars (.ply), which " + "glTF does not have");
   if (!options.region.empty())
     throw std::runtime_error(options.input + ": --region needs faces with names or " +

@@ -10,8 +10,8 @@
 #include "hidden.h"
 #include "target.h"
 
-#include <quadrille/channels.h>
-#include <quadrille/pairs.h>
+#include <quadrille/channel_options.h>
+#include <quadrille/compiled/soup_job.h>
 #include <quadrille/quadric.h>
 #include <quadrille/report.h>
 
@@ -19,8 +19,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -37,35 +37,19 @@ struct Options {
   std::string from;                  // the one to read instead of IN; empty: none
   std::string report;                // the file of figures to write; empty: none
   std::string format, output_format; // empty: as their names say
-  std::string cost;                  // empty: quadric with attributes
-  std::string placement;             // empty: the best that the cost has
-  double boundary_weight = quadrille::Quadric{}.boundary_weight;
+  /// The options of the table (options.def), but for those of the target and what depends on IN.
+  quadrille::internal::SoupJob soup;
+  quadrille::ChannelOptions textures;
+  std::map<std::string, Amount> lengths;      ///< options of the table that are lengths
+  std::map<std::string, std::string> scalars; ///< options of the table that IN's vertices have
+  std::string cost;                           // empty: quadric with attributes
   bool locks_boundaries = false;
-  std::optional<double> crease_degrees;
-  double line_weight = 0;  // of quadrille::Quadric, as the next three
-  double normal_noise = 0; // in degrees
-  Amount position_noise;   // in the units of IN, or in parts of the diagonal
-  bool weighs_squared_area = false;
-  std::string importance;                // the name of a scalar of IN's vertices; empty: all alike
-  std::vector<double> importances;       // its values, once IN has been read
-  std::vector<double> tolerances;        // the same of the target's
-  std::string region;                    // names of IN's faces; empty: all of it
-  std::vector<bool> selected;            // which faces are in it, once IN has been read
-  std::set<std::string> labels;          // attributes of glTF of which regions stay
-  Amount pairs;                          // closer than this; 0: edges only
-  std::string topology;                  // empty: see topology()
-  std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
-  Amount handles;                        // up to this wide are cut; 0: none is
-  bool is_manifold = false;              // is IN made so first?
-  std::string preset;                    // a kind of surface; empty: none
-  HiddenChoice hidden;                   // what is done with faces that nobody sees
+  std::string region;           // names of IN's faces; empty: all of it
+  std::set<std::string> labels; // attributes of glTF of which regions stay
+  HiddenChoice hidden;          // what is done with faces that nobody sees
   bool drops_components = false;
-  bool keeps_components = false;        // neither: see topology()
-  bool forbids_intersections = false;   // of faces that do not intersect in IN
-  bool keeps_solid = false;             // and requires that IN is one
-  std::optional<double> normal_degrees; // that normals may turn in all
-  bool is_relaxed = false;              // the order
-  unsigned threads = 0;                 // 0: as many as the machine has, where the order is relaxed
+  bool keeps_components = false; // neither: see topology()
+  unsigned threads = 0;          // 0: as many as the machine has, where the order is relaxed
   std::optional<Amount> weld;
   bool orients = false;                 // are faces wound alike first?
   std::string scratch;                  // a folder for parts of what does not fit; empty: in memory
@@ -78,23 +62,28 @@ struct Options {
   bool keeps_partial = false;
   bool is_forced = false;
   bool is_quiet = false, is_verbose = false;
-  std::function<bool(const quadrille::Status&)> proceed; // asked now and then; false: no further
-  bool leaves_images = false;                            // of glTF and OBJ, as files that OUT names
-  std::string compression;                               // of glTF that is written; empty: none
-  std::string folder; // for the results of several files; empty: there is one
+  bool leaves_images = false; // of glTF and OBJ, as files that OUT names
+  std::string compression;    // of glTF that is written; empty: none
+  std::string folder;         // for the results of several files; empty: there is one
 
-  bool has_lines_or_noise() const {
-    return line_weight > 0 || normal_noise > 0 || position_noise.value > 0 || weighs_squared_area;
+  bool has_length(const std::string& option) const {
+    const auto found = lengths.find(option);
+    return found != lengths.end() && found->second.value > 0;
   }
-  bool joins_pairs() const { return pairs.value > 0; }
-  bool cuts_handles() const { return handles.value > 0; }
+  bool has_lines_or_noise() const {
+    return soup.line_weight > 0 || soup.normal_noise > 0 || has_length("position_noise") ||
+           soup.weighting != quadrille::Weighting::by_area;
+  }
+  bool joins_pairs() const { return has_length("pairs_closer_than"); }
+  bool cuts_handles() const { return has_length("simplified_topology"); }
+  bool is_relaxed() const { return soup.order == quadrille::SoupOptions::Order::relaxed; }
   /// Is anything asked for that OUT is to keep?
   bool promises() const {
     const bool is_limited =
         target.is_limited() || std::any_of(levels.begin(), levels.end(), [](const auto& level) {
           return level.target.is_limited();
         });
-    return is_limited || forbids_intersections || keeps_solid || normal_degrees;
+    return is_limited || soup.no_self_intersection || soup.keep_solid || soup.normal_deviation;
   }
 };
 
@@ -150,10 +139,12 @@ inline bool is_of_assets(const Options& options) {
 /// small parts, unless regions are labels or they are simplified by parts of files.
 inline quadrille::Topology topology(const Options& options) {
   using quadrille::Topology;
-  if (options.topology == "free" || (options.topology.empty() && options.joins_pairs()))
-    return Topology::free;
-  const bool is_by_default = options.topology.empty() && !options.keeps_components &&
-                             !options.keeps_solid && options.scratch.empty() &&
+  const Topology asked =
+      options.soup.topology.value_or(options.joins_pairs() ? Topology::free : Topology::kept);
+  if (asked != Topology::kept)
+    return asked;
+  const bool is_by_default = !options.soup.topology && !options.keeps_components &&
+                             !options.soup.keep_solid && options.scratch.empty() &&
                              options.labels.empty() && is_of_assets(options);
   return options.drops_components || is_by_default ? Topology::components_may_vanish
                                                    : Topology::kept;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace quadrille_examples {
 
@@ -45,12 +46,12 @@ inline constexpr NotByChunks not_by_chunks[] = {
     {"--labels", "it is for glTF"},
     {"--seams", "seams of a file that is read in chunks become boundaries"},
     {"--importance", "scalars of vertices are kept, but they do not affect the cost"},
-    {"--lines", "only the plain costs are compiled for chunks"},
-    {"--normal-noise", "only the plain costs are compiled for chunks"},
-    {"--noise", "only the plain costs are compiled for chunks"},
-    {"--squared-areas", "only the plain costs are compiled for chunks"},
-    {"--crease", "only the plain costs are compiled for chunks"},
     {"--keep-partial", "finished work stays in the folder, and --restart resumes it"}};
+
+/// The options of the table that go with chunks.
+inline constexpr std::string_view options_of_chunks[] = {
+    "faces", "ratio",     "error",   "both_ways",       "tolerance",
+    "cost",  "placement", "threads", "boundary_weight", "topology"};
 
 /// Throws for options that do not go with parts, with the reason.
 inline void require_by_chunks(const CLI::App& app, const Options& options) {
@@ -58,6 +59,10 @@ inline void require_by_chunks(const CLI::App& app, const Options& options) {
     return;
   for (const NotByChunks& refused : not_by_chunks)
     reject_with(app, {refused.option, "--out-of-core", refused.reason});
+  for_others(options_of_chunks, [&](const std::string& option) {
+    reject_with(app,
+                {option.c_str(), "--out-of-core", "only the plain costs are compiled for chunks"});
+  });
   if (options.weld && options.weld->value > 0)
     reject_with(
         app, {"--weld", "--out-of-core",
@@ -119,7 +124,7 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                "--progress", options.progress,
                "write the progress to this file, one line of JSON for each stage and each second; "
                "the first line estimates time, memory and disk space"))
-      ->type_name("FILE");
+      ->type_name("FILE.json");
   in_group(app.add_flag(
       "--positions-only", options.positions_only,
       "keep only positions, faces, labels and tolerances; without this, colours and other "

@@ -360,7 +360,7 @@ private:
 
   /// Seams of textures are among those that hold only where they are kept.
   void add_seams() {
-    const bool holds_textures = options_.seams == quadrille::Seams::kept;
+    const bool holds_textures = options_.textures.seams == quadrille::Seams::kept;
     std::string text = outcome_.has_labels ? "boundaries of materials and labels stay" : "";
     if (holds_textures)
       text += outcome_.has_labels ? ", and so do texture seams" : "texture seams stay";

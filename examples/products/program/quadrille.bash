@@ -1,23 +1,17 @@
-# Completion of the program quadrille, for bash with the package bash-completion. Options and the
-# words that they take are read from `quadrille --help`.
+# Completion of the program quadrille, for bash with the package bash-completion. Options, and the files
+# and words that they take, are read from `quadrille --help`.
 _quadrille() {
-  local cur prev words cword
+  local cur prev words cword help value
   _init_completion || return
-  local choices
-  choices=$("$1" --help 2>/dev/null |
-    sed -n -E "s/^ +$prev ([a-z-]+(\\|[a-z-]+)+)( .*)?$/\\1/p" | tr "|" " ")
-  case $prev in
-    --record | --from) _filedir qlv ;;
-    --report | --progress) _filedir json ;;
-    --out-of-core) _filedir -d ;;
-    --step) mapfile -t COMPREPLY < <(compgen -W 'cut close' -- "$cur") ;;
-    --faces | --keep | --ratio | --vertices | --error | --levels | --crease | --lines | --normal-noise | --noise | --importance | --labels | --pairs | --cut-handles | --threads | --memory) ;;
-    --boundary) mapfile -t COMPREPLY < <(compgen -W lock -- "$cur") ;;
+  help=$("$1" --help 2>/dev/null)
+  value=$(sed -n -E "s/^  (-[^ ]+,)?$prev(,[^ ]+)? ([^ ]+)( .*)?$/\\3/p" <<<"$help")
+  case $prev:$value in
+    --*:FILE.*) _filedir "${value#FILE.}" ;;
+    --*:FOLDER) _filedir -d ;;
+    --*:[!\[]*) mapfile -t COMPREPLY < <(compgen -W "$(tr '|' '\n' <<<"$value" | grep '^[a-z]')" -- "$cur") ;;
     *)
-      if [[ $prev == --* && -n $choices ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$cur")
-      elif [[ $cur == -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$(_parse_help "$1")" -- "$cur")
+      if [[ $cur == -* ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$(grep -o -E '^  -[^ ]+' <<<"$help" | tr -d ' ' | tr ',' '\n')" -- "$cur")
       else
         _filedir '@(off|obj|ply|stl|ts|gltf|glb|html)'
       fi

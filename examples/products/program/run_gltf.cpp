@@ -152,7 +152,7 @@ private:
     const GltfSceneSurface scene(surfaces, placements_);
     HiddenAnswer answer = find_hidden(options_, scene.points(), scene.triangles(), progress_);
     hidden_ = std::move(answer.summary);
-    options_.importances = std::move(answer.importances);
+    options_.soup.importance = std::move(answer.importances);
     if (answer.is_dropped.empty())
       return;
     auto first = answer.is_dropped.begin();

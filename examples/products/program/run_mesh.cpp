@@ -10,6 +10,7 @@
 #include "../mesh_io/text.h"
 #include "calibration.h"
 #include "figures.h"
+#include "option_names.h"
 #include "outcome.h"
 #include "position_recorder.h"
 #include "region.h"
@@ -42,16 +43,17 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
 }
 
 void take_scalars(Options& options, const IndexedMesh& mesh) {
-  const auto take = [&](const std::string& name, std::vector<double>& numbers,
-                        bool (*is_ahead)(double, double)) {
-    if (!name.empty())
-      numbers = point_numbers(mesh, name, is_ahead);
-  };
   try {
-    take(options.importance, options.importances, [](double a, double b) { return a > b; });
-    take(options.target.tolerance, options.tolerances, [](double a, double b) { return a < b; });
+    for (const auto& [option, scalar] : options.scalars)
+      quadrille::internal::set_array(options.soup, option, [&, name = scalar](auto value) {
+        const auto numbers = point_numbers(mesh, name, [](double a, double b) { return a > b; });
+        return std::vector<decltype(value)>(numbers.begin(), numbers.end());
+      });
+    if (!options.target.tolerance.empty())
+      options.soup.tolerance =
+          point_numbers(mesh, options.target.tolerance, [](double a, double b) { return a < b; });
     if (!options.region.empty())
-      options.selected = Region(mesh, options.region).faces();
+      options.soup.selected = Region(mesh, options.region).faces();
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(options.input + ": " + error.what());
   }
@@ -77,14 +79,17 @@ void print_remarks(const Options& options, const IndexedMesh& mesh) {
 }
 
 void print_preset(const Options& options) {
-  if (options.preset.empty() || !options.is_verbose)
+  if (!options.soup.preset || !options.is_verbose)
     return;
-  quadrille::SoupOptions named;
-  quadrille::internal::set_word(named, "preset", options.preset);
+  std::string name;
+  for (const OptionWord& word : quadrille::internal::call_words)
+    if (word.option == std::string_view("preset") &&
+        word.value == static_cast<int>(*options.soup.preset))
+      name = name_of(word);
   for (const auto& [preset, option, value] : quadrille::internal::preset_options)
-    if (preset == named.preset)
-      print_remark(options, "--preset " + options.preset + ": " + std::string(option) + " " +
-                                std::string(value));
+    if (preset == options.soup.preset)
+      print_remark(options,
+                   "--preset " + name + ": " + std::string(option) + " " + std::string(value));
 }
 
 namespace {
@@ -92,8 +97,9 @@ namespace {
 /// A hint, which changes nothing, where a surface looks like one of a kind.
 void print_hint(const Options& options, const Winding& winding, std::size_t faces) {
   constexpr std::size_t many = 10'000; // faces for each edge of more than two of them
-  if (!options.preset.empty() || options.is_manifold || options.topology == "free" ||
-      winding.crowded_edges() == 0 || faces > many * winding.crowded_edges())
+  if (options.soup.preset || options.soup.manifold ||
+      options.soup.topology == quadrille::Topology::free || winding.crowded_edges() == 0 ||
+      faces > many * winding.crowded_edges())
     return;
   print_remark(options, with_commas(winding.pieces()) + " pieces, " +
                             with_commas(winding.crowded_edges()) +
@@ -125,13 +131,13 @@ void orient(const Options& options, IndexedMesh& mesh) {
 }
 
 void make_manifold(Options& options, IndexedMesh& mesh) {
-  if (!options.is_manifold)
+  if (!options.soup.manifold)
     return;
   const auto changes = with_errors_of(options.input, [&] { return make_manifold(mesh); });
-  for (auto* scalars : {&options.importances, &options.tolerances})
+  for (auto* scalars : {&options.soup.importance, &options.soup.tolerance})
     for (std::size_t i = 0; i < changes.origins.size() && !scalars->empty(); ++i)
       scalars->push_back(double{(*scalars)[changes.origins[i][0]]});
-  follow_triangles(options.selected, changes.triangles);
+  follow_triangles(options.soup.selected, changes.triangles);
   if (!changes.origins.empty())
     print_remark(options, "made manifold: " + with_commas(changes.split_vertices) +
                               " vertices split, " + with_commas(changes.split_edges) +
@@ -302,7 +308,7 @@ private:
     const bool is_rounded = writes_floats(options_) && round_to_floats(mesh);
     if (!is_rounded && options_.weld.value_or(Amount{}).value == 0)
       return;
-    if (!options_.tolerances.empty())
+    if (!options_.soup.tolerance.empty())
       throw std::runtime_error(
           options_.input + ": --weld and a single-precision OUT move points, " +
           "which --tolerance does not account for: write a welded file first, " +

@@ -2,9 +2,7 @@
 
 #include <quadrille/compiled/option_setting.h>
 
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,14 +11,6 @@
 namespace quadrille_examples {
 
 namespace {
-
-quadrille::SoupOptions::Cost cost(const Options& options) {
-  using Cost = quadrille::SoupOptions::Cost;
-  return options.cost == "length"          ? Cost::edge_length
-         : options.cost == "memoryless"    ? Cost::memoryless_quadric
-         : options.cost == "thin-features" ? Cost::thin_feature_quadric
-                                           : Cost::quadric;
-}
 
 /// Simplifies a mesh without attributes that vary.
 quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOptions& options,
@@ -75,39 +65,23 @@ std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& na
 }
 
 quadrille::SoupOptions soup_options(const Options& options) {
-  using Soup = quadrille::SoupOptions;
-  Soup result;
+  quadrille::SoupOptions result = options.soup;
   options.target.tell(result);
-  result.cost = cost(options);
-  result.boundary_weight = options.boundary_weight;
-  if (options.crease_degrees)
-    result.crease_degrees = *options.crease_degrees;
-  result.line_weight = options.line_weight;
-  result.normal_noise = std::tan(options.normal_noise * std::numbers::pi / 180);
-  if (options.weighs_squared_area)
-    result.weighting = quadrille::Weighting::by_squared_area;
-  result.importance = options.importances;
-  result.tolerance = options.tolerances;
-  result.selected = options.selected;
-  if (options.placement == "endpoint")
-    result.placement = Soup::Placement::endpoint;
-  if (options.placement == "midpoint")
-    result.placement = Soup::Placement::midpoint;
-  if (options.is_relaxed) {
-    result.order = Soup::Order::relaxed;
+  if (options.is_relaxed())
     result.threads = options.threads;
-  }
-  if (!options.preset.empty())
-    quadrille::internal::set_word(result, "preset", options.preset);
-  if (options.preset.empty() || !options.topology.empty() || options.drops_components ||
-      options.keeps_components || options.joins_pairs())
+  const bool is_asked = options.soup.topology || options.drops_components ||
+                        options.keeps_components || options.joins_pairs();
+  if (!options.soup.preset || is_asked)
     result.topology = topology(options);
-  result.no_self_intersection = options.forbids_intersections;
-  result.keep_solid = options.keeps_solid;
+  result.manifold = false; // IN was cut when it was read
   result.coordinates_are_floats = writes_floats(options);
-  result.normal_deviation = options.normal_degrees;
-  result.proceed = options.proceed;
   return result;
+}
+
+void set_lengths(const Options& options, double diagonal, quadrille::SoupOptions& result) {
+  for (const auto& [option, amount] : options.lengths)
+    if (amount.value > 0)
+      quadrille::internal::set_number(result, option, length_of(amount, diagonal));
 }
 
 ChannelChoices channel_choices(const Options& options) {
@@ -118,7 +92,7 @@ ChannelChoices channel_choices(const Options& options) {
           .of_textures = importance_if_asked_by("texture"),
           .of_normals = importance_if_asked_by(""),
           .of_numbers = hardly, // they may be noise
-          .texture_seams = options.seams};
+          .texture_seams = options.textures.seams};
 }
 
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,

@@ -34,16 +34,15 @@ std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& na
 /// The options but for what depends on the soup.
 quadrille::SoupOptions soup_options(const Options& options);
 
+/// Sets the options that are lengths, of which some are parts of the diagonal.
+void set_lengths(const Options& options, double diagonal, quadrille::SoupOptions& result);
+
 /// The options of a soup of these points.
 quadrille::SoupOptions soup_options(const Options& options, const auto& points,
                                     const auto& triangles) {
   quadrille::SoupOptions result = soup_options(options);
-  if (options.joins_pairs())
-    result.pairs_closer_than = length_of(options.pairs, diagonal(points, triangles));
-  if (options.cuts_handles())
-    result.simplified_topology = length_of(options.handles, diagonal(points, triangles));
-  if (options.position_noise.value > 0)
-    result.position_noise = length_of(options.position_noise, diagonal(points, triangles));
+  if (!options.lengths.empty())
+    set_lengths(options, diagonal(points, triangles), result);
   if (options.locks_boundaries)
     result.fixed = boundary_points(points.size(), triangles);
   if (!options.target.is_given() && !options.drops_components &&

@@ -6,7 +6,7 @@
 
 #include "../mesh_io/amount.h"
 
-#include <quadrille/compiled.h>
+#include <quadrille/compiled/soup_job.h>
 #include <quadrille/report.h>
 
 #include <cmath>
@@ -27,6 +27,15 @@ struct Target {
 
   bool is_given() const { return faces || vertices || ratio || is_limited(); }
   bool is_limited() const { return error || !tolerance.empty(); }
+
+  /// Takes the part that the table of options has.
+  void take(const quadrille::internal::SoupJob& options) {
+    faces = options.faces;
+    vertices = options.vertices;
+    ratio = options.ratio;
+    both_ways = options.both_ways;
+    is_calibrated = options.calibrated;
+  }
 
   void tell(quadrille::SoupOptions& options) const {
     options.faces = faces;

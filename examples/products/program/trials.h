@@ -33,34 +33,36 @@ inline bool is_place_an_obstacle(const Options& options, const quadrille::Report
   using quadrille::Rejection;
   const std::size_t refused =
       report.rejected(Rejection::self_intersection) + report.rejected(Rejection::normal_deviation);
-  return options.cost != "length" && refused > 0;
+  return options.soup.cost != quadrille::SoupOptions::Cost::edge_length && refused > 0;
 }
 
 /// What holds a run of these options more than it has to, unless it was asked for.
 inline std::vector<AskedTrial> trials_of(const Options& options, const quadrille::Report& report) {
+  using Placement = quadrille::SoupOptions::Placement;
   std::vector<AskedTrial> trials;
   const auto add = [&](const std::string& option, auto change) {
     trials.push_back({option, options});
     change(trials.back().options);
   };
-  if (topology(options) == quadrille::Topology::kept && !options.keeps_solid &&
+  if (topology(options) == quadrille::Topology::kept && !options.soup.keep_solid &&
       report.components_after > 1)
     add("--drop-parts", [](Options& o) {
       o.drops_components = true;
       o.keeps_components = false;
     });
-  if (topology(options) != quadrille::Topology::free && !options.keeps_solid)
+  if (topology(options) != quadrille::Topology::free && !options.soup.keep_solid)
     add("--topology free", [](Options& o) {
       o.drops_components = o.keeps_components = false;
-      o.topology = "free";
+      o.soup.topology = quadrille::Topology::free;
     });
-  if (options.seams == quadrille::Seams::kept && report.rejected(quadrille::Rejection::seam) > 0)
-    add("--seams soft", [](Options& o) { o.seams = quadrille::Seams::soft; });
+  if (options.textures.seams == quadrille::Seams::kept &&
+      report.rejected(quadrille::Rejection::seam) > 0)
+    add("--seams soft", [](Options& o) { o.textures.seams = quadrille::Seams::soft; });
   if (is_place_an_obstacle(options, report))
-    for (const char* const placement : {"endpoint", "optimal"})
-      if (placement != (options.placement.empty() ? "optimal" : options.placement))
-        add(std::string("--placement ") + placement,
-            [placement](Options& o) { o.placement = placement; });
+    for (const auto placement : {Placement::endpoint, Placement::optimal})
+      if (placement != options.soup.placement.value_or(Placement::optimal))
+        add(placement == Placement::optimal ? "--placement optimal" : "--placement endpoint",
+            [placement](Options& o) { o.soup.placement = placement; });
   return trials;
 }
 

@@ -34,8 +34,8 @@ quadrille::Verdict looked_at(const IndexedMesh& input, const IndexedMesh& result
 /// What is claimed of distances, which are between the files.
 quadrille::Claims distances_of(const Options& options, const quadrille::Report& report) {
   quadrille::Claims claims;
-  if (!options.tolerances.empty())
-    claims.tolerances = options.tolerances;
+  if (!options.soup.tolerance.empty())
+    claims.tolerances = options.soup.tolerance;
   else if (std::isfinite(report.hausdorff_bound))
     claims.distance_both_ways = report.hausdorff_bound;
   else if (std::isfinite(report.distance_bound))
@@ -51,8 +51,8 @@ quadrille::Verdict verify(const Options& options, const quadrille::Report& repor
   quadrille::Verdict verdict =
       looked_at(meshes.file_in, meshes.file_out, distances_of(options, report), progress);
   quadrille::Claims claims;
-  claims.no_self_intersection = options.forbids_intersections || options.keeps_solid;
-  claims.solid = options.keeps_solid;
+  claims.no_self_intersection = options.soup.no_self_intersection || options.soup.keep_solid;
+  claims.solid = options.soup.keep_solid;
   claims.normal_deviation = report.normal_bound_degrees;
   claims.vertex_map = std::move(vertex_map);
   for (quadrille::Finding& finding :

@@ -26,12 +26,12 @@ struct WordOfOption {
   quadrille_word word;
 };
 constexpr WordOfOption words_of_calls[] = {
-#define QUADRILLE_WORD(option, word, sentence) {#option, {#word, sentence}},
-#define QUADRILLE_JOB_WORD(option, word, sentence) {#option, {#word, sentence}},
+#define QUADRILLE_WORD(option, word, short_form, sentence) {#option, {#word, sentence}},
+#define QUADRILLE_JOB_WORD(option, word, short_form, sentence) {#option, {#word, sentence}},
 #include <quadrille/compiled/options.def>
 };
 constexpr WordOfOption words_of_channels[] = {
-#define QUADRILLE_CHANNEL_WORD(option, word, sentence) {#option, {#word, sentence}},
+#define QUADRILLE_CHANNEL_WORD(option, word, short_form, sentence) {#option, {#word, sentence}},
 #include <quadrille/compiled/options.def>
 };
 

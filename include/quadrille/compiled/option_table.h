@@ -43,6 +43,7 @@ struct Option {
 struct OptionWord {
   const char* option;
   const char* word;
+  const char* short_form; ///< the short form in the program; empty: none
   const char* sentence;
   int value; ///< the enumerator
 };
@@ -72,16 +73,19 @@ inline constexpr Option channel_options[] = {
 };
 /// The words of the options of a call.
 inline constexpr OptionWord call_words[] = {
-#define QUADRILLE_WORD(option, word, sentence)                                                     \
-  {#option, #word, sentence, static_cast<int>(OptionValue<decltype(SoupJob::option)>::word)},
-#define QUADRILLE_JOB_WORD(option, word, sentence)                                                 \
-  {#option, #word, sentence, static_cast<int>(OptionValue<decltype(SoupJob::option)>::word)},
+#define QUADRILLE_WORD(option, word, short_form, sentence)                                         \
+  {#option, #word, short_form, sentence,                                                           \
+   static_cast<int>(OptionValue<decltype(SoupJob::option)>::word)},
+#define QUADRILLE_JOB_WORD(option, word, short_form, sentence)                                     \
+  {#option, #word, short_form, sentence,                                                           \
+   static_cast<int>(OptionValue<decltype(SoupJob::option)>::word)},
 #include <quadrille/compiled/options.def>
 };
 /// The words of the options of a channel.
 inline constexpr OptionWord channel_words[] = {
-#define QUADRILLE_CHANNEL_WORD(option, word, sentence)                                             \
-  {#option, #word, sentence, static_cast<int>(OptionValue<decltype(ChannelOptions::option)>::word)},
+#define QUADRILLE_CHANNEL_WORD(option, word, short_form, sentence)                                 \
+  {#option, #word, short_form, sentence,                                                           \
+   static_cast<int>(OptionValue<decltype(ChannelOptions::option)>::word)},
 #include <quadrille/compiled/options.def>
 };
 
