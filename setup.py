@@ -64,6 +64,8 @@ class CMakeBuild(build_py):
                 sys.exit("CMake could not build the compiled part, as is told above: "
                          "see doc/manual/python.md for what it needs")
         target = pathlib.Path(self.build_lib) / "quadrille"
+        subprocess.run([sys.executable, repository / "examples/products/option_table.py", "python",
+                        target / "_table.py"], check=True)
         built = folder / "examples/products/python/quadrille" / library
         for file in [built, *needed_by(built)]:
             shutil.copy(file, target / file.name)

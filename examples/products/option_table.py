@@ -154,14 +154,14 @@ def python_document(group):
     """The lines of a group for the documentation of simplify()."""
     lines = []
     for row in of(("", "JOB"), "Python"):
-        if row.group == group:
+        if row.group == group and row.name != "maps":  # is among the observations there
             lines += textwrap.wrap(python_sentence(row), 116, initial_indent="    " + row.name.ljust(17) + " ",
                                    subsequent_indent=" " * 22, break_long_words=False)
     return "\n".join(lines)
 
 
 def python():
-    calls, channels = of(("",)), of(("CHANNEL",))
+    calls, channels = of(("", "JOB")), of(("CHANNEL",))
     every = of(("", "JOB", "CHANNEL"))
     out = ['"""The options of simplify() and of channels. Made from options.def by option_table.py."""\n',
            "from __future__ import annotations\n",

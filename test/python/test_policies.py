@@ -1,6 +1,5 @@
 """Policies in Python, hulls, volumes and glTF documents of the Python module quadrille."""
 
-import inspect
 import json
 import os
 import struct
@@ -11,7 +10,6 @@ import warnings
 import numpy as np
 
 import quadrille
-from quadrille import _options
 from surfaces import sheet, torus
 
 
@@ -176,12 +174,6 @@ class Functions(unittest.TestCase):
                 quadrille.simplify(points, faces, **{name: 5})
         with self.assertRaisesRegex(ValueError, "cost"):
             quadrille.simplify(points, faces, cost=5)
-
-    def test_defaults_are_the_same_everywhere(self):
-        mine = inspect.signature(_options.make_options).parameters
-        for name, parameter in inspect.signature(quadrille.simplify).parameters.items():
-            if name in mine:
-                self.assertEqual(parameter.default, mine[name].default, name)
 
 
 def windings(points, faces, places):

@@ -6,16 +6,6 @@ from typing import Any, Literal, Mapping, TypeVar
 
 T = TypeVar("T")
 
-CostName = Literal["quadric", "memoryless_quadric", "thin_feature_quadric", "edge_length"]
-PlacementName = Literal["optimal", "midpoint", "endpoint"]
-OrderName = Literal["greedy", "relaxed"]
-WeightingName = Literal["by_area", "uniform", "by_squared_area"]
-AxisName = Literal["x", "y", "z"]
-TopologyName = Literal["kept", "free", "components_may_vanish"]
-PresetName = Literal["generated", "scan", "voxels", "print", "cad", "terrain", "game"]
-HullName = Literal["outer", "inner"]
-SeamsName = Literal["kept", "soft", "priced", "free"]
-NewValuesName = Literal["optimal", "weights", "existing", "recomputed"]
 KindName = Literal["texture", "normals", "colors", "attributes"]
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from . import _library
 from ._forms import Array
+from ._table import ChannelOptions, Cost, NewValues, Options, Order, Placement, Preset, Seams, Topology, Weighting
 from ._library import (PART_FUNCTION, Bag, CArray, CContraction, CFileStatus, CLevelInfo, CPair, CStatus, array_of,
                        declare, guarded, raise_error, text_in, text_of, texts_in, view_of)
 
@@ -64,76 +65,9 @@ def _words(name: str, *words: str) -> Any:
     return enum.Enum(name, {word: number for number, word in enumerate(words)}, module=__name__)
 
 
-Cost = _words("Cost", "quadric", "memoryless_quadric", "thin_feature_quadric", "edge_length")
-Placement = _words("Placement", "optimal", "endpoint", "midpoint")
-Order = _words("Order", "greedy", "relaxed")
-Axis = _words("Axis", "x", "y", "z")
-Topology = _words("Topology", "kept", "free", "components_may_vanish")
-Preset = _words("Preset", "generated", "scan", "voxels", "print", "cad", "terrain", "game")
-Weighting = _words("Weighting", "by_area", "uniform", "by_squared_area")
 Way = _words("Way", "compiled", "calibrated", "outer_hull", "inner_hull", "same_volume")
 Kind = _words("Kind", "texture", "normals", "colors", "attributes")
-Seams = _words("Seams", "kept", "soft", "priced", "free")
-NewValues = _words("NewValues", "optimal", "weights", "existing", "recomputed")
-
-
-class Options:
-    """The options of a call, by the names of the table (options.def). Those that are as in the class are not set."""
-
-    faces: Any = None
-    ratio: Any = None
-    vertices: Any = None
-    error: Any = None
-    relative_error: Any = None
-    both_ways = False
-    tolerance: Any = ()
-    cost = Cost.quadric
-    boundary_weight = 100.0
-    crease_weight = 100.0
-    crease_degrees = 180.0
-    weighting = Weighting.by_area
-    line_weight = 0.0
-    normal_noise = 0.0
-    position_noise = 0.0
-    placement: Any = None
-    order = Order.greedy
-    share = 0.5
-    refresh = False
-    threads = 1
-    pairs_closer_than: Any = None
-    preset: Any = None
-    topology: Any = None
-    manifold = False
-    simplified_topology: Any = None
-    keep_planes: Any = None
-    plane_flatness: Any = None
-    voxel_size: Any = None
-    height_field: Any = None
-    normal_flip = 90.0
-    normal_deviation: Any = None
-    no_self_intersection = False
-    keep_solid = False
-    coordinates_are_floats = False
-    maps = False
-    fixed: Any = ()
-    importance: Any = ()
-    selected: Any = ()
-    region_boundary_weight = 1.0
-    split_vertices = False
-
-
 _DEFAULTS = {name: value for name, value in vars(Options).items() if not name.startswith("_")}
-
-
-class ChannelOptions:
-    """The options of a channel, in the same manner."""
-
-    importance = 1.0
-    weights: Any = ()
-    seams: Any = None
-    chart_boundary_weight: Any = None
-    new_values = NewValues.optimal
-    linear_light = False
 
 
 class Status(CStatus):

@@ -5,51 +5,15 @@ from typing import Any, Callable, Dict, KeysView, List, Literal, Mapping, Option
 
 from numpy.typing import NDArray
 
+from ._table import ChannelOptions as ChannelOptions, Cost as Cost, NewValues as NewValues, Options as Options
+from ._table import Order as Order, Placement as Placement, Preset as Preset, Seams as Seams, Topology as Topology, Weighting as Weighting
+
 Array = NDArray[Any]
 StopName = Literal["target met", "target passed", "no pair left", "all pairs rejected", "target unreachable",
                    "cancelled"]
 
 version: str
 has_threads: bool
-
-class Cost(enum.Enum):
-    quadric = ...
-    memoryless_quadric = ...
-    thin_feature_quadric = ...
-    edge_length = ...
-
-class Placement(enum.Enum):
-    optimal = ...
-    endpoint = ...
-    midpoint = ...
-
-class Order(enum.Enum):
-    greedy = ...
-    relaxed = ...
-
-class Axis(enum.Enum):
-    x = ...
-    y = ...
-    z = ...
-
-class Topology(enum.Enum):
-    kept = ...
-    free = ...
-    components_may_vanish = ...
-
-class Preset(enum.Enum):
-    generated = ...
-    scan = ...
-    voxels = ...
-    print = ...
-    cad = ...
-    terrain = ...
-    game = ...
-
-class Weighting(enum.Enum):
-    by_area = ...
-    uniform = ...
-    by_squared_area = ...
 
 class Way(enum.Enum):
     compiled = ...
@@ -63,68 +27,6 @@ class Kind(enum.Enum):
     normals = ...
     colors = ...
     attributes = ...
-
-class Seams(enum.Enum):
-    kept = ...
-    soft = ...
-    priced = ...
-    free = ...
-
-class NewValues(enum.Enum):
-    optimal = ...
-    weights = ...
-    existing = ...
-    recomputed = ...
-
-class Options:
-    faces: Optional[int]
-    ratio: Optional[float]
-    vertices: Optional[int]
-    error: Optional[float]
-    relative_error: Optional[float]
-    both_ways: bool
-    tolerance: List[float]
-    cost: Cost
-    boundary_weight: float
-    crease_weight: float
-    crease_degrees: float
-    weighting: Weighting
-    line_weight: float
-    normal_noise: float
-    position_noise: float
-    placement: Optional[Placement]
-    order: Order
-    share: float
-    refresh: bool
-    threads: int
-    pairs_closer_than: Optional[float]
-    preset: Optional[Preset]
-    topology: Optional[Topology]
-    manifold: bool
-    simplified_topology: Optional[float]
-    keep_planes: Optional[float]
-    plane_flatness: Optional[float]
-    voxel_size: Optional[float]
-    height_field: Optional[Axis]
-    normal_flip: float
-    normal_deviation: Optional[float]
-    no_self_intersection: bool
-    keep_solid: bool
-    coordinates_are_floats: bool
-    maps: bool
-    fixed: List[bool]
-    importance: Sequence[float]
-    selected: List[bool]
-    region_boundary_weight: float
-    split_vertices: bool
-
-class ChannelOptions:
-    importance: float
-    weights: Sequence[float]
-    seams: Optional[Seams]
-    chart_boundary_weight: float
-    new_values: NewValues
-    linear_light: bool
 
 class Status:
     """The argument of a progress function."""

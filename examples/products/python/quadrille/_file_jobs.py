@@ -10,9 +10,9 @@ import warnings
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, TypedDict, Union
 
 from . import _core
-from ._choices import CostName, PlacementName, TopologyName
 from ._missed import warn_if_missed
 from ._options import function_of, make_options, read_count, read_number
+from ._table import CostName, PlacementName, TopologyName
 from ._words import in_our_words, in_words_of_python
 
 if TYPE_CHECKING:

@@ -2,57 +2,28 @@
 
 from __future__ import annotations
 
-import inspect
 import os
 import warnings
 from typing import TYPE_CHECKING, Any, Callable, Collection, Optional, TypedDict, Union
 
 from . import _core
-from ._choices import (AxisName, CostName, OrderName, PlacementName, SeamsName, TopologyName, WeightingName,
-                       choice)
+from ._choices import choice
 from ._missed import warn_if_missed
-from ._options import function_of, make_options
+from ._options import function_of, make_options, takes_options
+from ._table import CostName, SeamsName, SharedOptions
 from ._words import in_our_words
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
-class GltfOptions(TypedDict, total=False):
+class GltfOptions(SharedOptions, total=False):
     """The options of simplify() without those that have a value for each point or face."""
 
-    faces: Optional[int]
-    ratio: Optional[float]
-    target_reduction: Optional[float]
-    vertices: Optional[int]
-    error: Optional[float]
-    relative_error: Optional[float]
-    both_ways: bool
     cost: Optional[CostName]
-    placement: Optional[PlacementName]
-    order: OrderName
-    threads: int
-    boundary_weight: float
-    crease_degrees: float
-    crease_weight: float
-    weighting: WeightingName
-    line_weight: float
-    normal_noise: float
-    position_noise: float
-    topology: Optional[TopologyName]
-    pairs_closer_than: Optional[float]
-    keep_planes: Optional[float]
-    plane_flatness: Optional[float]
-    voxel_size: Optional[float]
-    height_field: Optional[AxisName]
-    normal_flip: float
-    normal_deviation: Optional[float]
-    no_self_intersection: bool
-    keep_solid: bool
-    share: float
-    refresh: bool
 
 
+@takes_options("cost", *SharedOptions.__annotations__)
 def simplify_gltf(
     source: Union[str, os.PathLike[str]],
     target: Union[str, os.PathLike[str]],
@@ -62,6 +33,7 @@ def simplify_gltf(
     labels: Collection[str] = (),
     stop: Optional[Callable[[_core.Status], bool]] = None,
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
+    target_reduction: Optional[float] = None,
     **options: Unpack[GltfOptions],
 ) -> _core.Report:
     """Simplifies a glTF document, .gltf or .glb, and writes it to another file or over the same one.
@@ -78,10 +50,8 @@ def simplify_gltf(
              materials. Other integer attributes have no effect: each corner gets one of the old values
     stop, progress  functions, as in simplify(); if progress returns False, the current result is written,
              and if it raises, nothing is
-    options  targets and methods, as in simplify(): faces, ratio, vertices,
-             target_reduction, error, relative_error, both_ways, cost (by name), placement, order,
-             threads, boundary_weight, topology, normal_flip, normal_deviation, no_self_intersection and
-             so on, except those with a value for each point or face; lengths are in the unit of the scene
+    target_reduction, options  targets and methods, as in simplify(), except those with a value for each point or
+             face and functions; lengths are in the unit of the scene
 
     Returns the Report of the whole scene. Remarks, such as one on images that are files in another
     folder, and missed targets are reported as UserWarnings.
@@ -95,7 +65,7 @@ def simplify_gltf(
     for path in (source, target):
         if os.path.splitext(path)[1].lower() not in (".gltf", ".glb"):
             raise ValueError(f"{path} is not .gltf or .glb")
-    made = make_options(**options)
+    made = make_options(target_reduction, **options)
     seams_choice = None if seams is None else choice("seams", seams, _core.Seams.__members__)
     with open(source, "rb"):
         pass
@@ -110,6 +80,5 @@ def simplify_gltf(
     return report
 
 
-simplify_gltf.option_names = tuple(inspect.signature(make_options).parameters)  # type: ignore[attr-defined]
 simplify_gltf = in_our_words(simplify_gltf)
 _gltf: Any = getattr(_core, "simplify_gltf", None)

@@ -10,9 +10,10 @@ from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, TypeVar
 import numpy as np
 
 from . import _arrays, _core, _objects
-from ._choices import KindName, NewValuesName, SeamsName, choice
+from ._choices import KindName, choice
 from ._forms import Array
 from ._maps import SparseMap
+from ._table import NewValuesName, SeamsName
 
 Like = TypeVar("Like", bound=Union[_objects.MeshLike, Tuple[Any, Any], List[Any]])
 Values = Union[Array, Tuple[Array, Array], "Channel"]

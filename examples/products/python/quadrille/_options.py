@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import inspect
 import operator
-from typing import Any, Callable, NamedTuple, Optional
+import re
+from typing import Any, Callable, Dict, NamedTuple, Optional, TypeVar
 
-from . import _core
-from ._choices import AxisName, CostName, OrderName, PlacementName, PresetName, TopologyName, WeightingName, choice
+from . import _arrays, _core, _table
+from ._choices import choice
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 
 class Functions(NamedTuple):
@@ -18,81 +22,55 @@ class Functions(NamedTuple):
     progress: Optional[Callable[[_core.Status], Optional[bool]]]
 
 
-def make_options(
-    *,
-    faces: Optional[int] = None,
-    ratio: Optional[float] = None,
-    target_reduction: Optional[float] = None,
-    vertices: Optional[int] = None,
-    error: Optional[float] = None,
-    relative_error: Optional[float] = None,
-    both_ways: bool = False,
-    cost: Optional[CostName] = None,
-    placement: Optional[PlacementName] = None,
-    order: OrderName = "greedy",
-    threads: int = 1,
-    boundary_weight: float = 100.0,
-    crease_degrees: float = 180.0,
-    crease_weight: float = 100.0,
-    weighting: WeightingName = "by_area",
-    line_weight: float = 0.0,
-    normal_noise: float = 0.0,
-    position_noise: float = 0.0,
-    preset: Optional[PresetName] = None,
-    topology: Optional[TopologyName] = None,
-    manifold: bool = False,
-    simplified_topology: Optional[float] = None,
-    pairs_closer_than: Optional[float] = None,
-    keep_planes: Optional[float] = None,
-    plane_flatness: Optional[float] = None,
-    voxel_size: Optional[float] = None,
-    height_field: Optional[AxisName] = None,
-    normal_flip: float = 90.0,
-    normal_deviation: Optional[float] = None,
-    no_self_intersection: bool = False,
-    keep_solid: bool = False,
-    share: float = 0.5,
-    refresh: bool = False,
-) -> _core.Options:
+def takes_options(*names: str) -> Callable[[F], F]:
+    """Gives a function of **options these options of the table as arguments, with their defaults, and puts their
+    documentation at the lines <group of the table> of its own."""
+    def with_options(function: F) -> F:
+        signature = inspect.signature(function)
+        parameters = [one for one in signature.parameters.values() if one.kind != one.VAR_KEYWORD]
+        known = {one.name for one in parameters}
+        parameters += [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_table.ROWS[name].fallback)
+                       for name in names if name not in known]
+        function.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
+        function.__doc__ = re.sub("^    <(.*)>$", lambda group: _table.DOCUMENTS[group[1]], function.__doc__ or "",
+                                  flags=re.MULTILINE)
+        return function
+    return with_options
+
+
+def make_options(target_reduction: Optional[float] = None, **given: Any) -> _table.Options:
     """Converts options by their names in simplify()."""
-    options = _core.Options()
-    for name, count in (("faces", faces), ("vertices", vertices)):
-        if count is not None:
-            setattr(options, name, read_count(name, count))
-    for name, number in (("ratio", ratio), ("error", error), ("relative_error", relative_error),
-                         ("pairs_closer_than", pairs_closer_than), ("keep_planes", keep_planes),
-                         ("plane_flatness", plane_flatness), ("voxel_size", voxel_size),
-                         ("normal_deviation", normal_deviation), ("simplified_topology", simplified_topology)):
-        if number is not None:
-            setattr(options, name, read_number(name, number))
+    options = _table.Options()
+    for name, value in given.items():
+        if value is not None:
+            setattr(options, name, _read(name, value))
     if target_reduction is not None:
-        options.ratio = _ratio_left(target_reduction, faces=faces, ratio=ratio, vertices=vertices,
-                                    error=error, relative_error=relative_error)
+        options.ratio = _ratio_left(target_reduction, given)
     if options.ratio is not None and not 0 <= options.ratio <= 1:
-        raise ValueError(f"ratio is {ratio!r}, not in [0, 1]: it is the fraction of the faces to keep")
-    options.both_ways = bool(both_ways)
-    options.cost = _core.Cost.quadric if cost is None else choice("cost", cost, _core.Cost.__members__)
-    options.weighting = choice("weighting", weighting, _core.Weighting.__members__)
-    options.order = choice("order", order, _core.Order.__members__)
-    if placement is not None:
-        options.placement = choice("placement", placement, _core.Placement.__members__)
-    if preset is not None:
-        options.preset = choice("preset", preset, _core.Preset.__members__)
-    if topology is not None:
-        options.topology = choice("topology", topology, _core.Topology.__members__)
-    if height_field is not None:
-        options.height_field = choice("height_field", height_field, _core.Axis.__members__)
-    numbers = dict(boundary_weight=boundary_weight, crease_degrees=crease_degrees,
-                   crease_weight=crease_weight, line_weight=line_weight, normal_noise=normal_noise,
-                   position_noise=position_noise, normal_flip=normal_flip, share=share)
-    for name, number in numbers.items():
-        setattr(options, name, read_number(name, number))
-    options.threads = read_count("threads", threads)
-    options.refresh = bool(refresh)
-    options.no_self_intersection = bool(no_self_intersection)
-    options.keep_solid = bool(keep_solid)
-    options.manifold = bool(manifold)
+        raise ValueError(f"ratio is {given['ratio']!r}, not in [0, 1]: it is the fraction of the faces to keep")
     return options
+
+
+def _read(name: str, value: Any) -> Any:
+    row = _table.ROWS[name]
+    if row.words is not None:
+        return choice(name, value, row.words.__members__)
+    return {"count": read_count, "number": read_number, "flag": lambda _, flag: bool(flag)}[row.kind](name, value)
+
+
+def read_arrays(options: _table.Options, given: Dict[str, Any], points: int, faces: int) -> None:
+    """Sets the options that have a value for each point or triangle."""
+    for name, values in given.items():
+        if values is None:
+            continue
+        kind = _table.ROWS[name].kind
+        if kind == "point_numbers":
+            array: Any = _arrays.factors(name, values, points)
+        elif kind == "point_flags":
+            array = _arrays.mask(name, values, points)
+        else:
+            array = _arrays.mask(name, values, faces, "triangle")
+        setattr(options, name, array)
 
 
 def function_of(name: str, function: Any) -> Any:
@@ -123,8 +101,8 @@ def read_number(name: str, value: Any) -> float:
         raise ValueError(f"{name} is {value!r}, not a number") from None
 
 
-def _ratio_left(target_reduction: Any, **others: Any) -> float:
-    given = [name for name, value in others.items() if value is not None]
+def _ratio_left(target_reduction: Any, options: Dict[str, Any]) -> float:
+    given = [name for name in ("faces", "ratio", "vertices", "error", "relative_error") if options.get(name) is not None]
     if given:
         raise ValueError(f"target_reduction and {given[0]} do not go together: both are targets")
     number = read_number("target_reduction", target_reduction)

@@ -2,69 +2,44 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
-from ._choices import AxisName, CostName, HullName, OrderName, PlacementName, PresetName, TopologyName, WeightingName
 from ._forms import Array
 from ._levels import Levels
 from ._maps import SparseMap
 from ._mesh import (Mesh, ReadChannel, Simplified, Values, is_pair, no_mesh, read_attributes, read_channels,
                     set_channels, turned)
 from ._missed import warn_if_missed
-from ._options import Functions, function_of, make_options, read_number
+from ._options import Functions, function_of, make_options, read_arrays, takes_options
+from ._table import ROWS, ArrayOptions, CostName, HullName, SharedOptions
 from ._words import about_number, in_our_words, with_names_of_channels
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+
+class MeshOptions(SharedOptions, ArrayOptions, total=False):
+    """The options of simplify() that are rows of the table of options."""
 
 
 @in_our_words
+@takes_options(*ROWS)
 def simplify(
     points: Union[ArrayLike, Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]],
     triangles: Optional[ArrayLike] = None,
     /,
     *,
-    faces: Optional[int] = None,
-    ratio: Optional[float] = None,
     target_reduction: Optional[float] = None,
-    vertices: Optional[int] = None,
-    error: Optional[float] = None,
-    relative_error: Optional[float] = None,
-    both_ways: bool = False,
     calibrated: bool = False,
-    tolerance: Optional[ArrayLike] = None,
     stop: Optional[Callable[[_core.Status], bool]] = None,
     cost: Optional[Union[CostName, Callable[[_core.Pair], float]]] = None,
-    placement: Optional[PlacementName] = None,
-    order: OrderName = "greedy",
-    threads: int = 1,
-    boundary_weight: float = 100.0,
-    crease_degrees: float = 180.0,
-    crease_weight: float = 100.0,
-    weighting: WeightingName = "by_area",
-    line_weight: float = 0.0,
-    normal_noise: float = 0.0,
-    position_noise: float = 0.0,
-    preset: Optional[PresetName] = None,
-    topology: Optional[TopologyName] = None,
-    manifold: bool = False,
-    simplified_topology: Optional[float] = None,
-    pairs_closer_than: Optional[float] = None,
-    keep_planes: Optional[float] = None,
-    plane_flatness: Optional[float] = None,
-    voxel_size: Optional[float] = None,
-    height_field: Optional[AxisName] = None,
-    normal_flip: float = 90.0,
-    normal_deviation: Optional[float] = None,
-    no_self_intersection: bool = False,
-    keep_solid: bool = False,
     keep_volume: bool = False,
     hull: Optional[HullName] = None,
     filter: Optional[Callable[[_core.Contraction], bool]] = None,
-    fixed: Optional[ArrayLike] = None,
-    selected: Optional[ArrayLike] = None,
-    importance: Optional[ArrayLike] = None,
     labels: Optional[ArrayLike] = None,
     region_boundary_weight: float = 1.0,
     uv: Optional[Values] = None,
@@ -76,8 +51,7 @@ def simplify(
     levels: Optional[Levels] = None,
     maps: bool = False,
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
-    share: float = 0.5,
-    refresh: bool = False,
+    **options: Unpack[MeshOptions],
 ) -> Simplified:
     """Simplifies a triangle mesh, and returns a new one. The arrays of the input are not changed.
 
@@ -101,86 +75,35 @@ def simplify(
 
     Targets. The first one that is met ends the run; without any, the run ends at half of the faces:
 
-    faces, vertices  at most this many, at least 0
-    ratio            this fraction of the faces, in [0, 1]
+    <Targets>
     target_reduction  the fraction of the faces to remove, in (0, 1), as in PyVista and VTK: 0.9 is
-                     ratio=0.1; cannot be combined with another target
-    error            no point of the result is further from the input than this, in the unit of the points
-    relative_error   the same, as a fraction of the diagonal of the bounding box, such as 0.001
-    both_ways        error and relative_error apply both ways: no point of the input is further from
-                     the result either, so thin spikes stay
-    calibrated       with both_ways: continue until the measured distance, instead of the accumulated bound,
-                     reaches error or relative_error: half as many faces or fewer, in several runs that take
-                     many times as long. report.hausdorff_bound is the proved bound. Progress is reported for
-                     each run; to cancel one returns the best result of the runs before
-    tolerance        instead of error, a distance for each point, at least 0: no triangle of the input is
-                     further from the result than the smallest value of its corners; see ToleranceLimit
-    stop             a function of a Status, called before each contraction: the run ends when it returns True
+                      ratio=0.1; cannot be combined with another target
+    calibrated        with both_ways: continue until the measured distance, instead of the accumulated bound,
+                      reaches error or relative_error: half as many faces or fewer, in several runs that take
+                      many times as long. report.hausdorff_bound is the proved bound. Progress is reported for
+                      each run; to cancel one returns the best result of the runs before
+    stop              a function of a Status, called before each contraction: the run ends when it returns True
 
-    Method:
+    What kind of surface it is:
 
-    cost             'quadric' (the default and the fastest), 'memoryless_quadric' (a fifth more accurate,
-                     half as fast), 'thin_feature_quadric' (as accurate, and thin features survive) or
-                     'edge_length'; or a function of a Pair that returns a number of at least 0: the pair
-                     with the smallest one is contracted first. uv, normals and others add to the cost
-    placement        where the new point goes: 'optimal' (the default), 'midpoint' (the default with
-                     edge_length) or 'endpoint' (points of the result are points of the input)
-    order            'greedy' (the cheapest pair first) or 'relaxed' (in passes, which threads share)
-    threads          for 'relaxed', from 1 to 1024; the result does not depend on it
-    boundary_weight  how firmly boundaries are kept, at least 0
-    crease_degrees   edges are kept like boundaries where the normals of their faces differ by more; for
-                     cost='quadric'. 180: no edges
-    crease_weight    how firmly these edges are kept
-    weighting        the weight of a face: 'by_area', 'uniform' or 'by_squared_area' (triangle quadrics);
-                     for cost='quadric', as are the next three
-    line_weight      how firmly vertices are kept to the lines along their normals, at least 0: 0.001 gives
-                     better triangles at a slightly larger distance, 0.01 much better ones at a larger one
-    normal_noise     the standard deviation of unit normals, at least 0; 0.1 is about 6 degrees
-    position_noise   the standard deviation of points, in their unit
-    preset           the options of a kind of surface, where they are left at their defaults here: 'generated', 'scan',
-                     'voxels', 'print', 'cad', 'terrain' or 'game'; doc/manual/presets.md lists them
-    topology         'kept' (the default), 'free' (components join, holes close) or 'components_may_vanish' (small
-                     components may be removed)
-    manifold         first cuts the surface into manifold sheets, at edges of more than two faces and where
-                     sheets touch
-    simplified_topology  first cuts tunnels and handles up to this width, in the unit of the points, and closes
-                     the surface there; Report.cut_handles counts them
-    pairs_closer_than  points closer than this may be joined without an edge, in the unit of the points;
-                     the topology then defaults to 'free'
-    keep_planes      plane regions of at least this area stay exactly in their planes, and their outlines keep
-                     their topology: see KeepPlanes in keep_planes.h
-    plane_flatness   how far points of such a region may be from its plane, into which they are moved; by
-                     default a millionth of the diagonal of the bounding box
-    voxel_size       the surface was made of voxels of this size: its stairs are smoothed first, by at most half
-                     a voxel along each axis; see VoxelSize in voxel_size.h
-    height_field     'x', 'y' or 'z': the surface shows one side only to a viewer on this axis, and the result
-                     does as well
-    normal_flip      no single contraction turns a face by this many degrees or more, in (0, 180]
-    normal_deviation  no normal deviates by more degrees than this from the normals of the input that it
-                     replaces, in (0, 180)
-    no_self_intersection  no faces intersect that did not intersect in the input; for 'greedy', takes
-                     several times as long
-    keep_solid       a closed solid stays one; the input has to be one, see guards.h; for 'greedy'
-    keep_volume      the enclosed volume stays the same; for 'greedy', with 'memoryless_quadric'
-    hull             'outer' (the result encloses the closed surface) or 'inner' (the surface encloses the
-                     result); for 'greedy', with 'memoryless_quadric'
-    filter           a function of a Contraction, which forbids it by returning False
-    fixed            points that stay in place: booleans of the shape (n,), or indices
-    selected         triangles to simplify: booleans of the shape (m,), or indices. Targets count only
-                     these; all points of other triangles stay in place
-    importance       a number of at least 0 for each point, of the shape (n,): more faces stay where it is
-                     larger, about twice as many for 8 times the number; only ratios matter
-    share, refresh   for 'relaxed': see RelaxedOrder in relaxed_order.h
+    <What kind of surface it is>
+
+    How pairs are contracted. The cost may also be a function of a Pair that returns a number of at least 0: the pair
+    with the smallest one is contracted first. uv, normals and others add to the cost:
+
+    <How pairs are contracted>
+    filter            a function of a Contraction, which forbids it by returning False
+
+    What is kept:
+
+    <What is kept>
 
     Attributes. These arrays replace those of a Mesh; see Mesh and Channel for shapes and forms:
 
     labels           an integer for each triangle: regions of equal labels stay, with their boundaries
-    region_boundary_weight  how firmly these boundaries keep their shape, at least 0
     uv, normals, colors, attributes  values at points, or (values, indices) at corners; attributes is a
                      dict of them or, for a mesh of another library, a list of names of its point data
                      (vertex attributes in trimesh), where bytes in three or four columns are colours
-    split_vertices   points at exactly the same place are one vertex, as in meshes that are split along
-                     texture seams (trimesh, glTF); the result is split again
 
     Observation:
 
@@ -212,39 +135,23 @@ def simplify(
                 _is_split=mesh._is_split, _source=mesh._source, _source_faces=mesh._source_faces,
                 **{name: getattr(mesh, name) if values is None else values
                    for name, values in given.items()})
-    options = make_options(
-        faces=faces, vertices=vertices, ratio=ratio, target_reduction=target_reduction, error=error,
-        relative_error=relative_error, both_ways=both_ways, cost=None if callable(cost) else cost,
-        placement=placement, order=order, threads=threads, boundary_weight=boundary_weight,
-        crease_degrees=crease_degrees, crease_weight=crease_weight, weighting=weighting,
-        line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
-        preset=preset, topology=topology, manifold=manifold, simplified_topology=simplified_topology,
-        pairs_closer_than=pairs_closer_than, keep_planes=keep_planes, plane_flatness=plane_flatness,
-        voxel_size=voxel_size, height_field=height_field, normal_flip=normal_flip,
-        normal_deviation=normal_deviation, no_self_intersection=no_self_intersection,
-        keep_solid=keep_solid, share=share, refresh=refresh)
+    arrays = {name: options.pop(name) for name in ArrayOptions.__annotations__ if name in options}  # type: ignore[misc]
+    made = make_options(target_reduction, cost=None if callable(cost) else cost,
+                        region_boundary_weight=region_boundary_weight, split_vertices=split_vertices, **options)
     functions = Functions(cost if callable(cost) else None, function_of("filter", filter),
                           function_of("stop", stop), function_of("progress", progress))
-    way = _way_of(options, cost, hull, bool(keep_volume), bool(calibrated))
-    if tolerance is not None and target_reduction is not None:
+    way = _way_of(made, cost, hull, bool(keep_volume), bool(calibrated))
+    read_arrays(made, arrays, len(mesh.points), len(mesh.faces))
+    if arrays.get("tolerance") is not None and target_reduction is not None:
         raise ValueError("target_reduction and tolerance do not go together")
-    if tolerance is not None:
-        options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
-    options.region_boundary_weight = read_number("region_boundary_weight", region_boundary_weight)
-    options.split_vertices = bool(split_vertices) or mesh._is_split
-    options.maps = bool(maps)
-    if fixed is not None:
-        options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
-    if selected is not None:
-        options.selected = _arrays.mask("selected", selected, len(mesh.faces), "triangle")
-    if importance is not None:
-        options.importance = _arrays.factors("importance", importance, len(mesh.points))
+    made.split_vertices = made.split_vertices or mesh._is_split
+    made.maps = bool(maps)
     if levels is not None and not isinstance(levels, Levels):
         raise TypeError(f"levels is a {type(levels).__name__}, not a Levels to record into")
     if calibrated:
-        _check_calibrated(options, levels)
-    result = _simplified(mesh, options, levels, bool(orient), way, functions)
-    warn_if_missed(result.report, options, np.asarray(mesh.points), functions.stop, stacklevel=3)
+        _check_calibrated(made, levels)
+    result = _simplified(mesh, made, levels, bool(orient), way, functions)
+    warn_if_missed(result.report, made, np.asarray(mesh.points), functions.stop, stacklevel=3)
     return result
 
 
