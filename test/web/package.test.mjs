@@ -100,7 +100,7 @@ const refused = [
   ["an importance", [ofUv({ importance: 0 })], /importance 0 is not above 0/],
   ["components", [bad({ attributes: { a: { values: new Float32Array(901) } } })], /attributes\.a has 901 numbers for 900 points/],
   ["options that are a number", [mesh, 100], /the options are 100, not an object/],
-  ["an option", [mesh, { face: 100 }], /the options have "face", which is not one of faces, vertices/],
+  ["an option", [mesh, { face: 100 }], /the options have "face", which is not one of faces, ratio/],
   ["a count", [mesh, { faces: 0.5 }], /faces is 0.5, not an integer/],
   ["a negative count", [mesh, { faces: -1 }], /faces is -1, not in/],
   ["a ratio", [mesh, { ratio: 2 }], /ratio 2 /],

@@ -1,3 +1,7 @@
+import type { CallOptions, ChannelOptions } from "./option_table.js";
+
+export type { CallOptions, ChannelOptions };
+
 /** A typed array of real numbers, or of integers that stand for themselves. */
 export type Reals =
   | Float64Array | Float32Array | Uint32Array | Uint16Array | Uint8Array | Uint8ClampedArray | Int32Array | Int16Array | Int8Array;
@@ -5,7 +9,7 @@ export type Reals =
 export type Integers = Uint32Array | Uint16Array | Uint8Array | Int32Array | Int16Array | Int8Array;
 
 /** An attribute of a surface: texture coordinates, normals, colours, or any numbers. */
-export interface Attribute<V extends Reals = Reals> {
+export interface Attribute<V extends Reals = Reals> extends ChannelOptions {
   /** The meaning of the numbers. Default: `"attributes"`, which may be anything. */
   kind?: "texture" | "normals" | "colors" | "attributes";
   /** The numbers per value: 2 for a texture, 3 for normals, 3 or 4 for colors. Needed only for other attributes with indices. */
@@ -14,18 +18,6 @@ export interface Attribute<V extends Reals = Reals> {
   values: V;
   /** The index of the value of each corner of each triangle, as in OBJ files; as long as the indices of the mesh. */
   indices?: Integers;
-  /** A factor on the default weight; above 0. */
-  importance?: number;
-  /** For each component, the length that corresponds to a step of 1; by default found from the surface. */
-  weights?: ArrayLike<number>;
-  /** Whether edges at which values differ may vanish. Default: `"soft"` for a texture, `"priced"` for others. */
-  seams?: "kept" | "soft" | "priced" | "free";
-  /** How firmly the boundaries of texture charts are kept; at least 0. */
-  chartBoundaryWeight?: number;
-  /** How new values are computed. Default: `"optimal"`. */
-  newValues?: "optimal" | "weights" | "existing" | "recomputed";
-  /** For colors in [0, 1]: average them as linear light. */
-  linearLight?: boolean;
 }
 
 export type Attributes = Record<string, Attribute>;
@@ -42,79 +34,8 @@ export interface Mesh<P extends Reals = Reals, I extends Integers = Integers, A 
   labels?: Integers;
 }
 
-/** Options. The names are those of the C++ policies. Undefined options have their defaults. */
-export interface Options {
-  // Targets. The first one that is met ends the run; without any, it ends at half of the faces.
-  /** At most this many triangles. */
-  faces?: number;
-  /** This fraction of the triangles, in [0, 1]. */
-  ratio?: number;
-  /** At most this many points. */
-  vertices?: number;
-  /** No point of the result is further from the input than this, in the unit of the points. */
-  error?: number;
-  /** The same, as a fraction of the diagonal of the bounding box, such as 0.001. */
-  relativeError?: number;
-  /** Apply these limits both ways: no point of the input is further from the result either. */
-  bothWays?: boolean;
-  /** Instead of these, a limit for each point: how far the surface may move there. */
-  tolerance?: Reals;
-  /** The largest cost of a contraction; at least 0. */
-  costLimit?: number;
-
-  /** `"quadric"` (default, the fastest), `"memoryless_quadric"` (a fifth more accurate, half as fast),
-   *  `"thin_feature_quadric"` (as accurate, and thin features survive), `"edge_length"`. */
-  cost?: "quadric" | "memoryless_quadric" | "thin_feature_quadric" | "edge_length";
-  /** Where the new point goes. Default: `"optimal"`, or `"midpoint"` with edge_length. */
-  placement?: "optimal" | "endpoint" | "midpoint";
-  /** The cheapest pair first, or in passes. Default: `"greedy"`. */
-  order?: "greedy" | "relaxed";
-  /** `"kept"` by default, `"free"` with pairsCloserThan. */
-  topology?: "kept"|"free"|"components_may_vanish";
-  /** Points closer than this may be joined without an edge; 0 (default): only edges are contracted. */
-  pairsCloserThan?: number;
-  /** How firmly boundaries are kept, at least 0; default 100. */
-  boundaryWeight?: number;
-  /** With cost quadric: edges are kept like boundaries where normals differ by more degrees. Default 180: none. */
-  creaseDegrees?: number;
-  /** How firmly these edges are kept; default 100. */
-  creaseWeight?: number;
-  /** With cost quadric: the weight of a triangle. Default: `"by_area"`. */
-  weighting?: "by_area" | "uniform" | "by_squared_area";
-  /** With cost quadric: how firmly points are kept to their normals. 0.001 gives better triangles at a slightly larger distance. */
-  lineWeight?: number;
-  /** With cost quadric: standard deviation of unit normals. */
-  normalNoise?: number;
-  /** With cost quadric: standard deviation of points, in their unit. */
-  positionNoise?: number;
-  /** No single contraction turns a triangle by this many degrees, in (0, 180]; default 90. */
-  normalFlip?: number;
-  /** No normal deviates by more degrees than this from the normals of the input that it replaces; 180 (default): no limit. */
-  normalDeviation?: number;
-  /** No triangles intersect that did not intersect in the input; takes several times as long. */
-  noSelfIntersection?: boolean;
-  /** A closed solid stays one; the input has to be one. */
-  keepSolid?: boolean;
-  /** First cuts the surface into manifold sheets, at edges of more than two faces and where sheets touch. */
-  manifold?: boolean;
-  /** First cuts tunnels and handles up to this width, in the unit of the points, and closes the surface there. */
-  simplifiedTopology?: number;
-  /** Points that stay in place: bytes are a mask with one for each point, wider integers are indices. */
-  fixed?: Integers;
-  /** Triangles to simplify, in the same form; targets count only these. */
-  selected?: Integers;
-  /** The importance of each point, at least 0: for 8 times the number, about twice as many triangles stay. */
-  importance?: Reals;
-  /** How firmly boundaries of labels keep their shape; default 1. */
-  regionBoundaryWeight?: number;
-  /** Points at exactly one place are one point, as in meshes that are split at seams (glTF, three.js); the result is
-   *  split again. */
-  splitVertices?: boolean;
-  /** With order relaxed: the fraction of the pairs that a pass takes; in (0, 1], default 0.5. */
-  share?: number;
-  /** With order relaxed: states are computed again between passes. */
-  refresh?: boolean;
-
+/** Options. Their table is made from that of all interfaces: see option_table.d.ts. */
+export interface Options extends CallOptions {
   /** All levels of detail are recorded into these. */
   levels?: Levels;
   /** Called up to 25 times a second. Returning `false` ends the call with the current result; simplify rethrows exceptions. */

@@ -1,22 +1,12 @@
 // The surface that is to be simplified, with what it carries: what it has to look like.
 
 import { described, requireIntegers, requireLength, requireReals, requireUnsigned } from "./arrays.js";
+import { channelOptions } from "./option_table.js";
 import { requireKeys } from "./options.js";
 
 const componentsOfKind = { texture: 2, normals: 3 };
 const keysOfMesh = ["positions", "indices", "labels", "attributes"];
-const keysOfAttribute = [
-  "kind",
-  "components",
-  "values",
-  "indices",
-  "importance",
-  "weights",
-  "seams",
-  "chartBoundaryWeight",
-  "newValues",
-  "linearLight",
-];
+const keysOfAttribute = ["kind", "components", "values", "indices", ...Object.keys(channelOptions)];
 
 /** Looks at all arrays of a mesh; throws an error that names what is wrong. */
 export function readMesh(mesh) {
@@ -56,18 +46,17 @@ function requireCorners(name, indices, corners) {
   requireUnsigned(name, requireLength(name, requireIntegers(name, indices), corners, "corners of triangles"));
 }
 
-function optionsOf(name, {importance, weights, seams, chartBoundaryWeight, newValues, linearLight},
-                   components) {
-  const numbers = [];
-  const add = (option, value) => {
-    if (value === undefined || value === null) return;
-    if (typeof value !== "number") throw new TypeError(`quadrille: ${name}.${option} is ${described(value)}, not a number`);
-    numbers.push([option, value]);
-  };
-  add("importance", importance);
-  add("chartBoundaryWeight", chartBoundaryWeight);
-  if (weights) requireLength(`${name}.weights`, Array.from(weights), components, "components").forEach((weight) => add("weights", weight));
-  if (linearLight) numbers.push(["linearLight", 1]);
-  const choices = Object.entries({ seams, newValues }).filter(([, value]) => value !== undefined && value !== null);
+function optionsOf(name, attribute, components) {
+  const numbers = [], choices = [];
+  for (const [option, kind] of Object.entries(channelOptions)) {
+    const value = attribute[option] ?? null;
+    if (value === null) continue;
+    if (kind === "word") choices.push([option, value]);
+    else if (kind === "flag") numbers.push([option, value ? 1 : 0]);
+    else if (kind === "numbers")
+      requireLength(`${name}.${option}`, Array.from(value), components, "components").forEach((number) => numbers.push([option, number]));
+    else if (typeof value === "number") numbers.push([option, value]);
+    else throw new TypeError(`quadrille: ${name}.${option} is ${described(value)}, not a number`);
+  }
   return { numbers, choices };
 }

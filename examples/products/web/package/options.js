@@ -2,32 +2,17 @@
 
 import { described, requireIntegers, requireLength, requireReals, requireUnsigned } from "./arrays.js";
 import { Levels } from "./levels.js";
+import { callOptions } from "./option_table.js";
 
-const counts = ["faces", "vertices"];
-const numbers = [
-  "ratio",
-  "error",
-  "relativeError",
-  "costLimit",
-  "boundaryWeight",
-  "creaseWeight",
-  "creaseDegrees",
-  "lineWeight",
-  "normalNoise",
-  "positionNoise",
-  "pairsCloserThan",
-  "normalFlip",
-  "normalDeviation",
-  "regionBoundaryWeight",
-  "simplifiedTopology",
-  "share",
-];
-const booleans = ["bothWays", "noSelfIntersection", "keepSolid", "manifold", "splitVertices", "refresh"];
-const choices = ["cost", "placement", "order", "topology", "weighting"];
-const masks = ["fixed", "selected"];
-const arrays = ["tolerance", "importance"];
+const of = (...kinds) => Object.keys(callOptions).filter((name) => kinds.includes(callOptions[name]));
+const counts = of("count");
+const numbers = of("number");
+const booleans = of("flag");
+const choices = of("word");
+const masks = of("point_flags", "face_flags");
+const arrays = of("point_numbers");
 const others = ["levels", "progress"];
-const all = [...counts, ...numbers, ...booleans, ...choices, ...masks, ...arrays, ...others];
+const all = [...Object.keys(callOptions), ...others];
 
 /** Throws a TypeError for a key that nothing reads. */
 export function requireKeys(name, object, keys) {
@@ -41,7 +26,6 @@ export function readOptions(options, { points, triangles }) {
     throw new TypeError(`quadrille: the options are ${described(options)}, not an object such as {faces: 1000}`);
   requireKeys("the options have", options, all);
   const given = (names) => names.filter((name) => options[name] !== undefined && options[name] !== null);
-  const sizes = { fixed: points, selected: triangles };
   return {
     numbers: [
       ...given(counts).map((name) => [name, count(name, options[name])]),
@@ -49,7 +33,7 @@ export function readOptions(options, { points, triangles }) {
       ...given(booleans).map((name) => [name, Number(typed("boolean", name, options[name]))]),
     ],
     choices: given(choices).map((name) => [name, typed("string", name, options[name])]),
-    masks: given(masks).map((name) => [name, mask(name, options[name], sizes[name])]),
+    masks: given(masks).map((name) => [name, mask(name, options[name], ...(callOptions[name] === "face_flags" ? [triangles, "triangles"] : [points, "points"]))]),
     arrays: given(arrays).map((name) => [name, requireLength(name, requireReals(name, options[name]), points, "points")]),
     levels: levelsOf(options),
     progress: options.progress === undefined ? null : typed("function", "progress", options.progress),
@@ -75,9 +59,9 @@ function levelsOf({ levels }) {
 }
 
 // Bytes are a mask; other integers are indices.
-function mask(name, value, size) {
+function mask(name, value, size, what) {
   requireUnsigned(name, requireIntegers(name, value));
-  if (value.BYTES_PER_ELEMENT === 1) return requireLength(name, value, size, name === "fixed" ? "points" : "triangles").map((byte) => (byte ? 1 : 0));
+  if (value.BYTES_PER_ELEMENT === 1) return requireLength(name, value, size, what).map((byte) => (byte ? 1 : 0));
   const result = new Uint8Array(size);
   value.forEach((index, i) => {
     if (index >= size) throw new RangeError(`quadrille: ${name}[${i}] is ${index}, but there are ${size}`);
