@@ -10,7 +10,8 @@ if [ $# -ne 1 ] || [ ! -x "$program" ]; then
   exit 2
 fi
 case $program in /*) ;; *) program=$PWD/$program ;; esac
-parts_mk=$(cd "$(dirname "$0")/../examples/products/chunks" && pwd)/chunks.mk
+products=$(cd "$(dirname "$0")/../examples/products" && pwd)
+parts_mk=$products/chunks/chunks.mk option_table=$products/option_table.py
 # shellcheck source=sheet_gltf.sh
 . "$(dirname "$0")/sheet_gltf.sh"
 
@@ -1057,7 +1058,8 @@ awk 'BEGIN {
   }
 }' >roof.off
 run 0 roof.off out.off --crease 60 --faces 60
-run 0 roof.off again.off --faces 60
+run 0 roof.off again.off --faces 60 --report report.json
+expect report.json '"options": \{$'
 cmp -s out.off again.off && fail "--crease does nothing"
 run 2 roof.off out.off --crease 60 --cost length
 expect stderr '^--crease goes with --cost quadric'
@@ -1078,6 +1080,21 @@ run 2 roof.off out.off --ratio 101%
 expect stderr '^--keep: .101%. is not a fraction such as 0.1 or 10% in \[0, 1\]$'
 run 2 roof.off out.off --threads 0 --order relaxed
 expect stderr '^--threads: .0. is not a count in \[1, 1024\]$'
+
+# The report has the options of the table, as their schema says
+run 0 roof.off out.off --keep 50% --noise 1% --weighting uniform --seams kept --placement endpoint --report report.json
+for option in '"ratio": 0.5' '"position_noise": 0\.[0-9]+' '"weighting": "uniform"' '"seams": "kept"' '"placement": "endpoint"'; do
+  expect report.json "^    $option,?\$"
+done
+if command -v python3 >/dev/null; then
+  python3 "$option_table" schema schema.json
+  python3 -c 'import json
+schema, options = (json.load(open(file)) for file in ("schema.json", "report.json"))
+for name, value in options["options"].items():
+    row = schema["properties"][name]
+    assert "enum" not in row or value in row["enum"], name
+    assert row.get("minimum", value) <= value <= row.get("maximum", value), name' 2>stderr || fail "the schema is another one"
+fi
 
 # More faces stay where a scalar is large, whatever OUT can hold
 awk 'BEGIN {

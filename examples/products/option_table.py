@@ -4,7 +4,7 @@
     python3 option_table.py python    _table.py of the Python package
     python3 option_table.py types     option_table.d.ts of the npm package
     python3 option_table.py names     option_table.js of the npm package
-    python3 option_table.py schema    the schema of options as JSON
+    python3 option_table.py schema    the schema of the options in a report of the program
 
 What is made goes to standard output, or to the file that follows; in the manual it replaces what is behind
 the line <!-- options.def -->.
@@ -43,11 +43,6 @@ class Row(NamedTuple):
 
     def is_array(self):
         return self.kind in ("numbers", "point_numbers", "point_flags", "face_flags")
-
-    def bounds(self):
-        """The least and the largest value, each with whether it is allowed."""
-        low, high = self.range[1:-1].split(", ")
-        return (low, self.range[0] == "["), (high, self.range[-1] == "]")
 
 
 def rows():
@@ -252,41 +247,30 @@ def names_of_web():
 
 
 def schema():
-    """JSON Schema of an object of options, by the names of the table."""
-    def number(row, kind):
-        result = {"type": kind}
-        if row.range:
-            (low, low_is_in), (high, high_is_in) = row.bounds()
-            result["minimum" if low_is_in else "exclusiveMinimum"] = json.loads(low)
-            if high != "inf":
-                result["maximum" if high_is_in else "exclusiveMaximum"] = json.loads(high)
-        return result
-
+    """JSON Schema of the options in a report of the program, by the names of the table."""
     def value(row):
         if row.is_array():
-            item = {"type": "boolean"} if row.kind.endswith("flags") else number(row, "number")
-            return {"type": "array", "items": item}
+            return {"type": "string"}  # the name of a scalar of the vertices
         if row.kind == "word":
             return {"enum": [word.name for word in row.words]}
-        return number(row, {"count": "integer", "number": "number", "flag": "boolean"}[row.kind])
-
-    def properties(scopes):
-        result = {}
-        for row in of(scopes):
-            result[row.name] = {**value(row), "description": full_sentence(row, "{}".format, "{}".format)}
-            if row.fallback:
-                result[row.name]["default"] = row.fallback if row.kind == "word" else json.loads(row.fallback)
+        if row.kind == "flag":
+            return {"type": "boolean"}
+        low, high = row.range[1:-1].split(", ")
+        result = {"type": "integer" if row.kind == "count" else "number",
+                  "minimum" if row.range[0] == "[" else "exclusiveMinimum": json.loads(low)}
+        if high != "inf":
+            result["maximum" if row.range[-1] == "]" else "exclusiveMaximum"] = json.loads(high)
         return result
 
-    return json.dumps({
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "Options of a simplification by Quadrille",
-        "type": "object",
-        "properties": properties(("", "JOB")),
-        "additionalProperties": False,
-        "$defs": {"channel": {"title": "Options of a channel", "type": "object", "properties": properties(("CHANNEL",)),
-                              "additionalProperties": False}},
-    }, indent=2) + "\n"
+    properties = {}
+    for row in rows():
+        if "program" in row.places or row.name == "relative_error":
+            properties[row.name] = {**value(row), "description": full_sentence(row, "{}".format, "{}".format)}
+            if row.fallback:
+                properties[row.name]["default"] = row.fallback if row.kind == "word" else json.loads(row.fallback)
+    return json.dumps({"$schema": "https://json-schema.org/draft/2020-12/schema",
+                       "title": "Options of the program quadrille in its reports", "type": "object",
+                       "properties": properties, "additionalProperties": False}, indent=2) + "\n"
 
 
 def main():

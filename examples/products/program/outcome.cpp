@@ -1,6 +1,7 @@
 #include "outcome.h"
 
 #include "../mesh_io/replace_file.h"
+#include "option_names.h"
 #include "verification.h"
 
 #include <quadrille/pairs.h>
@@ -13,6 +14,9 @@
 #include <clocale>
 #include <cstring>
 #include <numeric>
+#include <optional>
+#include <string_view>
+#include <type_traits>
 
 namespace quadrille_examples {
 
@@ -184,6 +188,47 @@ Json json_of(const HiddenSummary& hidden) {
           {"groups", std::move(groups)}};
 }
 
+/// Adds an option of the table unless it has its default. Arrays are told by the scalar that they
+/// come from.
+template <class Owner>
+void add_option(Json& json, const char* name, const auto& value, const auto& fallback) {
+  using Value = quadrille::internal::OptionValue<std::remove_cvref_t<decltype(value)>>;
+  if constexpr (!std::is_arithmetic_v<Value> && !std::is_enum_v<Value>)
+    return;
+  else if (value == fallback)
+    return;
+  else if constexpr (std::is_enum_v<Value>) {
+    for (const OptionWord& word : quadrille::internal::words_of<Owner>())
+      if (word.option == std::string_view(name) && value == static_cast<Value>(word.value))
+        json[name] = word.word;
+  } else if constexpr (std::is_same_v<Value, std::remove_cvref_t<decltype(value)>>)
+    json[name] = value;
+  else
+    json[name] = *value;
+}
+
+/// Returns the options of the table that the program was called with, by their names in it;
+/// `diagonal` is that of the input. See option_table.py for their schema.
+Json json_of(const Options& options, double diagonal) {
+  Json json = Json::object();
+  const quadrille::SoupOptions defaults;
+  const quadrille::ChannelOptions textures;
+#define QUADRILLE_OPTION(kind, field, ...)                                                         \
+  add_option<quadrille::SoupOptions>(json, #field, options.soup.field, defaults.field);
+#define QUADRILLE_CHANNEL_OPTION(kind, field, ...)                                                 \
+  add_option<quadrille::ChannelOptions>(json, #field, options.textures.field, textures.field);
+#include <quadrille/compiled/options.def>
+  for (const auto& [option, amount] : options.lengths)
+    json[option] = length_of(amount, diagonal);
+  for (const auto& [option, scalar] : options.scalars)
+    json[option] = scalar;
+  if (const std::optional<Amount>& error = options.target.error)
+    json[error->is_percentage ? "relative_error" : "error"] = error->value;
+  if (!options.target.tolerance.empty())
+    json["tolerance"] = options.target.tolerance;
+  return json;
+}
+
 Json before_and_after(std::size_t before, std::size_t after) {
   return {{"before", before}, {"after", after}};
 }
@@ -256,6 +301,7 @@ Json json_of(const Outcome& outcome) {
 void write_report(const Options& options, const std::vector<Outcome>& outcomes) {
   Json json = {{"quadrille", QUADRILLE_PROGRAM_VERSION},
                {"input", options.input},
+               {"options", json_of(options, outcomes.empty() ? 0 : outcomes.front().diagonal)},
                {"results", Json::array()}};
   for (const Outcome& outcome : outcomes)
     json["results"].push_back(json_of(outcome));
