@@ -149,7 +149,7 @@ def python_document(group):
     """The lines of a group for the documentation of simplify()."""
     lines = []
     for row in of(("", "JOB"), "Python"):
-        if row.group == group and row.name != "maps":  # is among the observations there
+        if row.group == group and row.name not in ("maps", "calibrated"):  # are told there
             lines += textwrap.wrap(python_sentence(row), 116, initial_indent="    " + row.name.ljust(17) + " ",
                                    subsequent_indent=" " * 22, break_long_words=False)
     return "\n".join(lines)

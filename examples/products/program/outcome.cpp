@@ -211,10 +211,11 @@ void add_option(Json& json, const char* name, const auto& value, const auto& fal
 /// `diagonal` is that of the input. See option_table.py for their schema.
 Json json_of(const Options& options, double diagonal) {
   Json json = Json::object();
-  const quadrille::SoupOptions defaults;
+  const quadrille::internal::SoupJob defaults;
   const quadrille::ChannelOptions textures;
 #define QUADRILLE_OPTION(kind, field, ...)                                                         \
   add_option<quadrille::SoupOptions>(json, #field, options.soup.field, defaults.field);
+#define QUADRILLE_JOB_OPTION QUADRILLE_OPTION
 #define QUADRILLE_CHANNEL_OPTION(kind, field, ...)                                                 \
   add_option<quadrille::ChannelOptions>(json, #field, options.textures.field, textures.field);
 #include <quadrille/compiled/options.def>
