@@ -307,7 +307,7 @@ options_of_program() {
   {
     find examples/products/program -name '*.h' -o -name '*.cpp' | sort | xargs cat | tr '\n' ' ' |
       grep -oE '(\.add_[a-z_]+(<[a-z:]+>)?|\badd)\( *"(-[a-z],)?--[a-z,-]+"' | grep -oE -e '--[a-z-]+'
-    perl -ne '/^QUADRILLE_(?:CHANNEL_)?OPTION\(\w+, (\w+), (?:".*?", ){3}".*?program.*?", "(.*?)"/ or next;
+    perl -ne '/^QUADRILLE_(?:CHANNEL_|JOB_)?OPTION\(\w+, (\w+), (?:".*?", ){3}".*?program.*?", "(.*?)"/ or next;
       for ($1, $2) { print "--", tr/_/-/r, "\n" if $_ ne "" }' include/quadrille/compiled/options.def
   } | sort -u | grep -vxE -e '--(help|version)'
 }
