@@ -102,6 +102,8 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", normals within " + two_digits(rounded_up(*report.normal_bound_degrees)) + " degrees";
   if (report.vanished_components > 0)
     text += ", " + vanished_text(report, outcome.diagonal);
+  if (report.kept_planes > 0)
+    text += ", " + counted(report.kept_planes, "plane region") + " kept";
   if (report.cut_handles > 0)
     text += ", " + counted(report.cut_handles, "handle") + " cut";
   if (report.split_components > 0)
