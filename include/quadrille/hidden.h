@@ -206,7 +206,7 @@ inline namespace QUADRILLE_THREADING {
 ///
 /// Each face sends rays from points spread over it into directions spread over the sphere, and is
 /// seen if one of them meets no other face, or more of them than HiddenOptions::threshold allows.
-/// Unseen faces next to seen ones get eight times as many rays, until none of them turns out to be
+/// Unseen faces next to seen ones get 16 times as many rays, until none of them turns out to be
 /// seen. Points and directions are always the same, and so is the result, whatever the threads.
 ///
 /// So no face is hidden that a ray has left unhindered. But a face which is seen through an opening

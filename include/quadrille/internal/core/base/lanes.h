@@ -13,7 +13,7 @@ namespace quadrille::internal {
 
 #if defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector) && __has_builtin(__builtin_convertvector)
-#define QUADRILLE_SHUFFLES 1
+#define QUADRILLE_SHUFFLES
 #endif
 #endif
 
@@ -118,7 +118,7 @@ QUADRILLE_ALWAYS_INLINE inline void store_four(float* numbers, const FourFloats&
 /// Returns the floats of two fours as doubles: the first two in lanes, then the second, and so on.
 QUADRILLE_ALWAYS_INLINE inline std::array<Lanes, 4> in_lanes(const FourFloats& a,
                                                              const FourFloats& b) {
-#if QUADRILLE_SHUFFLES // else compilers convert one number after the other
+#ifdef QUADRILLE_SHUFFLES // else compilers convert one number after the other
   using TwoFloats = float __attribute__((vector_size(8)));
   const TwoFloats first = __builtin_shufflevector(a, b, 0, 4);
   const TwoFloats second = __builtin_shufflevector(a, b, 1, 5);
