@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -146,7 +147,30 @@ TEST_CASE("A preset stands for options that are left at their defaults") {
   const SoupResult own = simplified_soup(soup, {.faces = 60,
                                                 .cost = SoupOptions::Cost::edge_length,
                                                 .topology = Topology::components_may_vanish,
-                                                .manifold = true});
+                                                .manifold = true,
+                                                .keep_planes = 129});
   CHECK(named.points == own.points);
   CHECK(named.triangles == own.triangles);
+  CHECK(named.report.kept_planes == 2);
+
+  const SoupResult smooth =
+      simplified_soup(soup, {.preset = SoupOptions::Preset::voxels, .faces = 200});
+  const double edge = (2 + std::sqrt(2)) / 3; // each square is cut along a diagonal
+  const SoupResult own_smooth = simplified_soup(soup, {.faces = 200,
+                                                       .topology = Topology::components_may_vanish,
+                                                       .manifold = true,
+                                                       .simplified_topology = 1.5 * edge,
+                                                       .voxel_size = 0.9 * edge});
+  CHECK(smooth.report.cut_handles == own_smooth.report.cut_handles);
+  REQUIRE(smooth.points.size() == own_smooth.points.size());
+  for (std::size_t i = 0; i < smooth.points.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(smooth.points[i][axis] == Approx(own_smooth.points[i][axis]).margin(1e-9));
+}
+
+TEST_CASE("A preset finds no length in a surface without edges") {
+  const SoupPoints points(3);
+  const SoupTriangles triangles{{0, 1, 2}};
+  for (const auto preset : {SoupOptions::Preset::voxels, SoupOptions::Preset::print})
+    CHECK(simplified_soup({points, triangles, {}, {}}, {.preset = preset}).triangles.empty());
 }

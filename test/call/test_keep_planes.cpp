@@ -49,7 +49,7 @@ double height(const Flat& flat, const std::array<double, 3>& p) {
   return flat.normal[0] * p[0] + flat.normal[1] * p[1] + flat.normal[2] * p[2] - flat.offset;
 }
 
-SoupPoints points_of(const Soup& soup) {
+SoupPoints arrays_of(const Soup& soup) {
   SoupPoints points;
   for (const Position& p : soup.points)
     points.push_back(p.coordinates);
@@ -139,7 +139,7 @@ std::vector<Shape> shapes() {
 
 // Do all vertices of a region stay in the plane, and keep its faces their area?
 void check_flats(const Shape& shape, const SoupResult& result) {
-  const SoupPoints before = points_of(shape.soup);
+  const SoupPoints before = arrays_of(shape.soup);
   for (const Flat& flat : shape.flats) {
     double farthest = 0;
     for (const auto& t : shape.soup.triangles)
@@ -163,7 +163,7 @@ SoupOptions options_to(std::size_t faces, double least_area = 0.05) {
 }
 
 SoupResult simplified(const Soup& soup, const SoupOptions& options) {
-  const SoupPoints points = points_of(soup);
+  const SoupPoints points = arrays_of(soup);
   return simplified_soup({points, soup.triangles}, options);
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("plane regions stay flat with colours and labels", "[planes]") {
   std::vector<std::uint32_t> labels;
   for (const auto& t : shape.soup.triangles)
     labels.push_back(shape.soup.points[t[0]][0] > 0.3 ? 7 : 4);
-  const SoupPoints points = points_of(shape.soup);
+  const SoupPoints points = arrays_of(shape.soup);
   const SoupView view{
       points, shape.soup.triangles, labels, {{SoupChannelView::Kind::colors, 3, colors, {}, {}}}};
   const SoupResult result = simplified_soup(view, options_to(500));
@@ -256,7 +256,7 @@ TEST_CASE("a region that is nearly flat becomes flat", "[planes]") {
   const Flat flat{{{0, 0, 1}}, low};
   CHECK(low == Approx(-0.6).margin(1e-4));
   CHECK(area_in(flat, result.points, result.triangles, 0) ==
-        Approx(area_in({{{0, 0, 1}}, -0.6}, points_of(shape.soup), shape.soup.triangles, 1.1e-4))
+        Approx(area_in({{{0, 0, 1}}, -0.6}, arrays_of(shape.soup), shape.soup.triangles, 1.1e-4))
             .epsilon(0.08));
 }
 
@@ -305,7 +305,7 @@ TEST_CASE("a mesh keeps its planes", "[planes]") {
 
 TEST_CASE("planes need an area, and placements that do not look around", "[planes]") {
   const Soup box = test::cube(3);
-  SoupPoints points = points_of(box);
+  SoupPoints points = arrays_of(box);
   SoupTriangles triangles = box.triangles;
   CHECK_THROWS_WITH(simplify(points, triangles, KeepPlanes{-1}),
                     Catch::Contains("area -1 is negative"));
@@ -313,7 +313,7 @@ TEST_CASE("planes need an area, and placements that do not look around", "[plane
                     Catch::Contains("flatness inf is negative or not finite"));
   CHECK_THROWS_WITH(simplify(points, triangles, KeepPlanes{0.5}, VolumeKeeping<OptimalPlacement>{}),
                     Catch::Contains("KeepPlanes does not go with a placement that looks"));
-  CHECK(points == points_of(box));
+  CHECK(points == arrays_of(box));
   SoupOptions options;
   options.plane_flatness = 1;
   CHECK_THROWS_WITH(simplified(box, options), Catch::Contains("plane_flatness needs keep_planes"));

@@ -203,7 +203,7 @@ double rms(const SoupPoints& points, const SoupTriangles& triangles, const Formu
   return std::sqrt(sum / area);
 }
 
-SoupPoints points_of(const Soup& soup) {
+SoupPoints arrays_of(const Soup& soup) {
   SoupPoints points;
   for (const Position& p : soup.points)
     points.push_back(p.coordinates);
@@ -215,7 +215,7 @@ SoupResult simplified(const Soup& soup, std::size_t faces, bool are_voxels) {
   options.faces = faces;
   if (are_voxels)
     options.voxel_size = 1;
-  const SoupPoints points = points_of(soup);
+  const SoupPoints points = arrays_of(soup);
   return simplified_soup({points, soup.triangles}, options);
 }
 
@@ -281,7 +281,7 @@ TEST_CASE("walls of labels stay shared, and volumes stay the same", "[voxels]") 
     return ball(p) >= 0 ? 0 : p[0] + 0.3 * p[1] < 25 ? 1 : p[2] < 19 ? 2 : 3;
   };
   const Blocks input = blocks(label);
-  const SoupPoints points = points_of(input.soup);
+  const SoupPoints points = arrays_of(input.soup);
   std::vector<std::uint32_t> labels;
   for (const auto& [front, back] : input.labels)
     labels.push_back(static_cast<std::uint32_t>(4 * front + back));
@@ -320,7 +320,7 @@ TEST_CASE("flat walls of many voxels stay flat, and fixed vertices in their plac
   options.voxel_size = 1;
   options.fixed.resize(box.points.size(), false);
   options.fixed[0] = true;
-  const SoupPoints points = points_of(box);
+  const SoupPoints points = arrays_of(box);
   const SoupResult result = simplified_soup({points, box.triangles}, options);
   CHECK(result.points[0] == points[0]);
   for (std::size_t v = 0; v < points.size(); ++v)
@@ -329,9 +329,9 @@ TEST_CASE("flat walls of many voxels stay flat, and fixed vertices in their plac
 }
 
 TEST_CASE("a voxel has a size", "[voxels]") {
-  SoupPoints points = points_of(test::cube(3));
+  SoupPoints points = arrays_of(test::cube(3));
   SoupTriangles triangles = test::cube(3).triangles;
   CHECK_THROWS_WITH(simplify(points, triangles, VoxelSize{0}),
                     Catch::Contains("the size 0 is not above 0"));
-  CHECK(points == points_of(test::cube(3)));
+  CHECK(points == arrays_of(test::cube(3)));
 }

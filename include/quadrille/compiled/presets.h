@@ -33,7 +33,8 @@ inline constexpr PresetOption preset_options[] = {
 #include <quadrille/compiled/presets.def>
 };
 
-/// Returns the mean length of the edges of the triangles of a soup; 0 if it has none.
+/// Returns the mean length of the edges of the triangles of a soup; 0 if it has none, or if they
+/// are not finite.
 inline double mean_edge_length(const SoupView& soup) {
   double sum = 0;
   for (const auto& triangle : soup.triangles)
@@ -42,7 +43,8 @@ inline double mean_edge_length(const SoupView& soup) {
       if (a < soup.points.size() && b < soup.points.size())
         sum += std::sqrt(squared_distance(Vector<3>{soup.points[a]}, Vector<3>{soup.points[b]}));
     }
-  return soup.triangles.empty() ? 0 : sum / (3 * static_cast<double>(soup.triangles.size()));
+  const double mean = sum / (3 * static_cast<double>(soup.triangles.size()));
+  return std::isfinite(mean) ? mean : 0;
 }
 
 /// Does the call have anything that does not go with the preparations of a preset?
@@ -56,7 +58,7 @@ inline bool excludes_preparations(const SoupOptions& options) {
 inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
   const SoupOptions fallback;
   SoupOptions options = given;
-  [[maybe_unused]] const double edge = mean_edge_length(soup);
+  const double edge = mean_edge_length(soup);
 #define QUADRILLE_PRESET(preset_, option, value)                                                   \
   if (given.preset == SoupOptions::Preset::preset_ && given.option == fallback.option)             \
     options.option = value;
@@ -70,6 +72,8 @@ inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
     options.line_weight = given.line_weight;
     options.position_noise = given.position_noise;
   }
+  if (edge == 0)
+    options.voxel_size = given.voxel_size;
   options.preset.reset();
   return options;
 }
