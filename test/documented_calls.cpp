@@ -56,7 +56,6 @@ void documented_calls(Mesh& mesh, std::vector<Point>& points,
                       const TextureMap& uv, const MaterialMap& materials,
                       quadrille::Levels& levels) {
   using namespace quadrille;
-  using namespace quadrille_examples;
   using namespace figures;
   const auto selected = mesh.property_map<Mesh::Face_index, bool>("f:selected").first;
   const auto importance = [](const Vector<3>& place) { return place[2] > 0 ? 4.0 : 1.0; };

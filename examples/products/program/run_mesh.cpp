@@ -99,7 +99,8 @@ void print_hint(const Options& options, const Winding& winding, std::size_t face
   constexpr std::size_t many = 10'000; // faces for each edge of more than two of them
   if (options.soup.preset || options.soup.manifold ||
       options.soup.topology == quadrille::Topology::free || winding.crowded_edges() == 0 ||
-      faces > many * winding.crowded_edges())
+      faces > many * winding.crowded_edges() ||
+      faces < 2 * winding.crowded_edges()) // the edges of a sheet with both sides have four faces
     return;
   print_remark(options, with_commas(winding.pieces()) + " pieces, " +
                             with_commas(winding.crowded_edges()) +

@@ -45,7 +45,7 @@ public:
   Index twin(Index h) const { return twin_[h]; }
   Index origin(Index h) const { return triangles_[h / 3][h % 3]; }
   Index target(Index h) const { return origin(next(h)); }
-  double length(Index h) const { return double{length_[h]}; }
+  double length(Index h) const { return static_cast<double>(length_[h]); }
 
   /// Do the faces of a vertex form one disc around it, wound alike, and may it be cut?
   bool is_inside(Index v) const { return is_inside_[v]; }

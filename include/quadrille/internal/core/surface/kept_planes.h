@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -64,7 +65,7 @@ public:
       if (const double height = std::abs(plane.height(x)); !plane.axis)
         farthest = (std::max)(farthest, height);
       else if (height != 0)
-        return INFINITY;
+        return std::numeric_limits<double>::infinity();
     return farthest;
   }
 
