@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -65,7 +64,7 @@ public:
       if (const double height = std::abs(plane.height(x)); !plane.axis)
         farthest = (std::max)(farthest, height);
       else if (height != 0)
-        return std::numeric_limits<double>::infinity();
+        return HUGE_VAL;
     return farthest;
   }
 
