@@ -469,6 +469,18 @@ TEST_CASE("A calibrated call of C goes as far as measuring allows") {
   CHECK(std::string(quadrille_error(call.get())) == "hull does not go with calibrated");
 }
 
+TEST_CASE("A preset leaves out what does not go with a placement of its own") {
+  const test::Soup soup = test::cube(16);
+  const SoupPoints points = coordinates_of(soup);
+  Call call = call_of(points, soup.triangles);
+  REQUIRE(quadrille_set_text(call.get(), "preset", "print") == QUADRILLE_OK);
+  REQUIRE(quadrille_set_text(call.get(), "hull", "outer") == QUADRILLE_OK);
+  run(call); // planes are kept by that preset, but not together with a hull
+  CHECK(result_of<std::uint32_t>(call, "triangles").size() <= 3 * soup.triangles.size() / 2);
+  REQUIRE(quadrille_set_double(call.get(), "keep_planes", 0.5) == QUADRILLE_OK);
+  CHECK(quadrille_simplify(call.get()) == QUADRILLE_INVALID);
+}
+
 TEST_CASE("Maps of C are those of points, where several are one vertex, and of nothing") {
   const test::Soup grid = test::grid(10, 10);
   SoupPoints points; // each triangle has its own

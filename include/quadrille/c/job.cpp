@@ -1,3 +1,4 @@
+#include <quadrille/compiled/presets.h>
 #include <quadrille/compiled/soup_job.h>
 
 #include <array>
@@ -50,6 +51,10 @@ SoupResult simplified_by_job(const SoupView& soup, const SoupJob& job) {
     return simplified_soup(soup, job);
   check_star_placement(job);
   SoupJob memoryless = job;
+  static_cast<SoupOptions&>(memoryless) = with_preset(job, soup);
+  memoryless.keep_planes = job.keep_planes; // what a preset has does not go with these placements
+  if (job.hull)
+    memoryless.topology = job.topology;
   memoryless.cost = SoupOptions::Cost::memoryless_quadric;
   if (job.keep_volume)
     return soup_of_same_volume(soup, memoryless);
