@@ -6,7 +6,14 @@
 #include <quadrille/quadric_form.h>
 
 #if __has_include(<nanoflann.hpp>)
+// nanoflann prints a line before it throws std::bad_alloc. The library prints nothing, and modules
+// of WebAssembly have no standard streams. Headers of the standard that name fprintf come first.
+#include <cstdio>
+#include <istream>
+#include <ostream>
+#define fprintf(...) static_cast<void>(0)
 #include <nanoflann.hpp>
+#undef fprintf
 #define QUADRILLE_HAS_NANOFLANN
 #endif
 
