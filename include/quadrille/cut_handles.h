@@ -4,6 +4,7 @@
 #include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/internal/core/base/containers.h>
+#include <quadrille/internal/core/base/parallel.h>
 #include <quadrille/internal/core/base/points.h>
 #include <quadrille/internal/core/base/read_surface.h>
 #include <quadrille/internal/core/base/text.h>
@@ -57,6 +58,8 @@ inline HandleChanges changes_of(const HandleCuts& cuts, std::size_t triangles) {
 
 } // namespace internal
 
+inline namespace QUADRILLE_THREADING {
+
 /// Cuts a soup at tunnels and handles up to a size, and closes it there: a manifold stays one,
 /// closed where it was, with a handle less for each cut.
 ///
@@ -65,8 +68,8 @@ inline HandleChanges changes_of(const HandleCuts& cuts, std::size_t triangles) {
 /// in the middle of the loop. A tunnel then ends in two dents, and a handle in two stumps, which
 /// simplify() takes away at their price. A tunnel that joins two parts of the surface, as the outer
 /// wall of a shell and its inner one, is the last that does so once others are cut; it is cut if
-/// both parts are wider than the size, by four times the volume over the area. Nothing else is
-/// parted: limbs stay however thin they are.
+/// both parts are wider than the size, by four times the volume over the area, and reach three and
+/// a half sizes away from the tunnel. Nothing else is parted: limbs stay however thin they are.
 ///
 /// **What is promised.** No loop is cut that is longer than three sizes, and after the call no
 /// handle has a loop of edges that is shorter, up to the search: it finds the shortest one through
@@ -77,25 +80,29 @@ inline HandleChanges changes_of(const HandleCuts& cuts, std::size_t triangles) {
 /// disc that is oriented alike are not found: see make_manifold().
 ///
 /// No point moves. Points and triangles keep their indices; added ones come behind them. The
-/// containers are those of simplify() that can grow. The time is that of a search around each
-/// vertex, as far as two and a half sizes, and close to linear while these are a few edges.
+/// containers are those of simplify() that can grow. Where the surface is a disc three and a half
+/// sizes around, this takes a few visits of each vertex; around tunnels, and where limbs are thin, a
+/// search from one vertex in each ball of one size.
 ///
-/// `is_kept`: empty, or for each point whether nothing is cut there.
+/// `is_kept`: empty, or for each point whether nothing is cut there. `threads`: the result does not
+/// depend on it; more than one need oneTBB.
 ///
-/// Throws std::invalid_argument for a size that is negative or not finite, for a face that is not a
-/// triangle, or names a point that is not there, and for a point that is not finite; the soup is
-/// then unchanged.
+/// Throws std::invalid_argument for a size that is negative or not finite, for threads without
+/// oneTBB, for a face that is not a triangle, or names a point that is not there, and for a point
+/// that is not finite; the soup is then unchanged.
 template <class Points, class Triangles>
 requires requires(Points& points, Triangles& triangles) {
   points.push_back(points[0]);
   triangles.push_back(triangles[0]);
 }
 HandleChanges cut_handles(Points& points, Triangles& triangles, double size,
-                          const std::vector<bool>& is_kept = {}) {
+                          const std::vector<bool>& is_kept = {}, unsigned threads = 1) {
   using Point = std::ranges::range_value_t<Points>;
+  constexpr const char* function = "quadrille::cut_handles";
   const TriangleSoup<> surface =
-      internal::read_surface("quadrille::cut_handles", points, triangles);
-  const internal::HandleCuts cuts(surface, internal::valid_size(size), is_kept);
+      internal::read_surface(function, points, triangles);
+  const internal::HandleCuts cuts(surface, internal::valid_size(size), is_kept,
+                                  internal::threads_of(function, threads));
   HandleChanges changes = internal::changes_of(cuts, surface.triangles.size());
   Points new_points(points);
   for (const auto& [a, b] : changes.origins)
@@ -112,6 +119,8 @@ HandleChanges cut_handles(Points& points, Triangles& triangles, double size,
   std::swap(triangles, new_triangles);
   return changes;
 }
+
+} // namespace QUADRILLE_THREADING
 
 } // namespace quadrille
 

@@ -173,21 +173,6 @@ inline std::vector<double> importances_of(std::vector<double> fractions, double 
   return fractions;
 }
 
-inline namespace QUADRILLE_THREADING {
-
-/// Returns the threads of a call. Throws std::invalid_argument without oneTBB.
-inline Threads threads_of(const char* function, unsigned count) {
-#ifndef QUADRILLE_WITH_TBB
-  if (count > 1)
-    throw std::invalid_argument(std::string(function) + ": " + std::to_string(count) +
-                                " threads need oneTBB: link quadrille::parallel");
-#endif
-  (void)function;
-  return threads_here(count);
-}
-
-} // namespace QUADRILLE_THREADING
-
 /// Removes the triangles that are hidden.
 template <class Triangles>
 void keep_seen(Triangles& triangles, const std::vector<bool>& is_hidden) {

@@ -93,7 +93,8 @@ private:
       if (!options_.selected[source(face)])
         for (const std::uint32_t v : triangles_[face])
           is_kept[v] = true;
-    handles_ = cut_handles(points_, triangles_, *options_.simplified_topology, is_kept);
+    handles_ = cut_handles(points_, triangles_, *options_.simplified_topology, is_kept,
+                           options_.threads);
     follow(handles_);
   }
 

@@ -53,6 +53,13 @@ inline Threads threads_here(unsigned count) {
 
 #endif
 
+/// Returns the threads of a call. Throws std::invalid_argument without oneTBB.
+inline Threads threads_of(const char* function, unsigned count) {
+  const Threads threads = threads_here(count);
+  threads.validate(function);
+  return threads;
+}
+
 } // namespace QUADRILLE_THREADING
 
 } // namespace quadrille::internal

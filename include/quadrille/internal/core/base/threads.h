@@ -49,9 +49,9 @@ public:
   const Library& library() const { return *library_; } ///< there has to be one
 
   /// Throws std::invalid_argument for threads that there can't be.
-  void validate() const {
+  void validate(const std::string& function) const {
     if (!library_ && count_ > 1)
-      throw std::invalid_argument("quadrille::RelaxedOrder: " + std::to_string(count_) +
+      throw std::invalid_argument(function + ": " + std::to_string(count_) +
                                   " threads need oneTBB: link quadrille::parallel");
   }
 

@@ -417,7 +417,7 @@ auto pick_policies(const Arguments&... arguments) {
       pick_filters<Cost>(arguments...),
       guards,
       optional_modules<Policies, Contained<decltype(stop)>, Contained<Order>, is_recorded>()};
-  policies.threads.validate();
+  policies.threads.validate("quadrille::RelaxedOrder");
   return policies;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -94,6 +95,7 @@ public:
 private:
   struct Side {
     Index other, half_edge; // by the lower vertex of an edge, its higher one
+    auto operator<=>(const Side&) const = default;
   };
 
   void find_twins() {
@@ -105,7 +107,7 @@ private:
     for (std::size_t low = 0, begin = 0; low < points_.size(); begin = end[low++]) {
       const auto first = sides.begin() + static_cast<std::ptrdiff_t>(begin),
                  last = sides.begin() + static_cast<std::ptrdiff_t>(end[low]);
-      std::stable_sort(first, last, [](const Side& a, const Side& b) { return a.other < b.other; });
+      std::sort(first, last);
       for (auto at = first, beyond = first; at != last; at = beyond) {
         while (beyond != last && beyond->other == at->other)
           ++beyond;
@@ -154,9 +156,11 @@ private:
 
   // Computes the lengths of sides that are not yet known.
   void measure_sides() {
-    for (auto h = static_cast<Index>(length_.size()); h < 3 * triangles_.size(); ++h)
-      length_.push_back(
-          static_cast<float>(std::sqrt(squared_length(points_[target(h)] - points_[origin(h)]))));
+    auto h = static_cast<Index>(length_.size());
+    length_.resize(3 * triangles_.size());
+    for (; h < length_.size(); ++h)
+      length_[h] =
+          static_cast<float>(std::sqrt(squared_length(points_[target(h)] - points_[origin(h)])));
   }
 
   // The corners at a vertex from the face of a half-edge that leaves it to that of one that comes.

@@ -70,8 +70,11 @@ public:
     if (have_met_)
       return LoopKind::handle;
     smaller_ = is_done(0) ? 0 : 1;
-    if (is_round && are_wide(loop, width))
-      return LoopKind::neck;
+    if (is_round) {
+      measure(loop);
+      if (small_.width() > width && rest_.width() > width)
+        return LoopKind::neck;
+    }
     if (euler_number(sides_[smaller_]) == 1)
       mark_disc(sides_[smaller_]);
     return LoopKind::limb;
@@ -89,9 +92,11 @@ public:
            is_side_in_disc([&](Index h) { return HalfEdges::face(surface_.twin(h)); });
   }
 
-  /// The surface is cut along the neck for which kind() was called last: the smaller of its sides
-  /// is a part of its own from now on.
-  void split() {
+  /// The surface is cut along a neck: the smaller of its sides is a part of its own from now on.
+  void split(const EdgeLoop& neck) {
+    flood(neck);
+    smaller_ = is_done(0) ? 0 : 1;
+    measure(neck);
     shapes_[component_[sides_[smaller_].front()]] = rest_;
     for (const Index face : sides_[smaller_])
       component_[face] = static_cast<Index>(shapes_.size());
@@ -197,12 +202,11 @@ private:
   }
 
   // About a point of the cut the faces that close it have hardly any volume.
-  bool are_wide(const EdgeLoop& loop, double width) {
+  void measure(const EdgeLoop& loop) {
     const std::vector<Index>& side = sides_[smaller_];
     const Shape& all = shapes_[component_[side.front()]];
     small_ = shape_of(side, surface_.point(surface_.origin(loop.half_edges.front())));
     rest_ = {all.volume - small_.volume, all.area - small_.area};
-    return small_.width() > width && rest_.width() > width;
   }
 
   const HalfEdges& surface_;

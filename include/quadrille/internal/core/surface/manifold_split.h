@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <map>
 #include <numeric>
@@ -23,6 +24,7 @@ struct FaceAtEdge {
   Index other; // the higher end of the edge
   Index face, corner;
   bool is_up; // does the face run along the edge from its lower end to its higher one?
+  auto operator<=>(const FaceAtEdge&) const = default;
 };
 
 /// Pairs the faces at an edge of more than two of them so that sheets touch there and do not cross:
@@ -36,8 +38,6 @@ public:
   /// a mate only where there are more that run up along the edge than down, or the other way round.
   template <class Join>
   void operator()(Index low, std::span<const FaceAtEdge> faces, Join join) {
-    if (faces.size() == 2)
-      return join(std::size_t{0}, std::size_t{1});
     sort_around(low, faces);
     open_.clear();
     is_joined_.assign(faces.size(), false);
@@ -124,8 +124,7 @@ private:
     for (Index low = 0; low < surface_.points.size(); ++low) {
       const std::span<FaceAtEdge> at_low(sides.data() + begin, end[low] - begin);
       begin = end[low];
-      std::stable_sort(at_low.begin(), at_low.end(),
-                       [](const FaceAtEdge& a, const FaceAtEdge& b) { return a.other < b.other; });
+      std::sort(at_low.begin(), at_low.end());
       for (std::size_t i = 0, n = 1; i < at_low.size(); i += n, n = 1) {
         while (i + n < at_low.size() && at_low[i + n].other == at_low[i].other)
           ++n;
@@ -145,19 +144,22 @@ private:
   void join_edge(Index low, std::span<const FaceAtEdge> at_edge, EdgePairing& pairing) {
     if (at_edge.size() < 2)
       return;
-    std::vector<bool> is_left(at_edge.size(), true);
-    if (at_edge.size() > 2)
-      crowded_.emplace_back();
-    pairing(low, at_edge, [&](std::size_t a, std::size_t b) {
+    const auto join = [&](std::size_t a, std::size_t b) {
       for (const bool at_low : {true, false})
         unite(corner(at_edge[a], at_low), corner(at_edge[b], at_low));
+    };
+    if (at_edge.size() == 2)
+      return join(0, 1);
+    std::vector<Mates>& sheets = crowded_.emplace_back();
+    std::vector<bool> is_left(at_edge.size(), true);
+    pairing(low, at_edge, [&](std::size_t a, std::size_t b) {
+      join(a, b);
       is_left[a] = is_left[b] = false;
-      if (at_edge.size() > 2)
-        crowded_.back().push_back({at_edge[a], at_edge[b]});
+      sheets.push_back({at_edge[a], at_edge[b]});
     });
-    for (std::size_t i = 0; i < at_edge.size() && at_edge.size() > 2; ++i)
+    for (std::size_t i = 0; i < at_edge.size(); ++i)
       if (is_left[i])
-        crowded_.back().push_back({at_edge[i], {none, none, none, false}});
+        sheets.push_back({at_edge[i], {none, none, none, false}});
   }
 
   // The corner of a face at an end of an edge.
