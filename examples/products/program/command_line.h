@@ -213,8 +213,9 @@ inline void require_consistency(const Options& options) {
   reject_if(options.verifies && !options.promises(),
             "--verify needs a promise to check: --error, --tolerance, --no-self-intersection, "
             "--solid or --normals");
-  reject_if(options.threads > 0 && !options.is_relaxed() && options.scratch.empty(),
-            "--threads needs --order relaxed or --out-of-core");
+  reject_if(options.threads > 0 && !options.is_relaxed() && !options.cuts_handles() &&
+                !soup.preset && options.scratch.empty(),
+            "--threads needs --order relaxed, --cut-handles, --preset or --out-of-core");
   reject_if(!options.scratch.empty() && (options.cost == "color" || options.cost == "texture"),
             "--out-of-core uses positions only: it does not go with --cost " + options.cost);
   reject_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),

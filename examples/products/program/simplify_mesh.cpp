@@ -67,8 +67,7 @@ std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& na
 quadrille::SoupOptions soup_options(const Options& options) {
   quadrille::SoupOptions result = options.soup;
   options.target.tell(result);
-  if (options.is_relaxed())
-    result.threads = options.threads;
+  result.threads = options.threads;
   const bool is_asked = options.soup.topology || options.drops_components ||
                         options.keeps_components || options.joins_pairs();
   if (!options.soup.preset || is_asked)

@@ -150,16 +150,16 @@ private:
     };
     if (at_edge.size() == 2)
       return join(0, 1);
-    std::vector<Mates>& sheets = crowded_.emplace_back();
+    std::vector<Mates>& mates = crowded_.emplace_back();
     std::vector<bool> is_left(at_edge.size(), true);
     pairing(low, at_edge, [&](std::size_t a, std::size_t b) {
       join(a, b);
       is_left[a] = is_left[b] = false;
-      sheets.push_back({at_edge[a], at_edge[b]});
+      mates.push_back({at_edge[a], at_edge[b]});
     });
     for (std::size_t i = 0; i < at_edge.size(); ++i)
       if (is_left[i])
-        sheets.push_back({at_edge[i], {none, none, none, false}});
+        mates.push_back({at_edge[i], {none, none, none, false}});
   }
 
   // The corner of a face at an end of an edge.
