@@ -24,7 +24,8 @@ struct ManifoldChanges {
   std::size_t split_vertices = 0; ///< points that are copies of others
   std::size_t split_edges = 0;    ///< points in the middle of an edge
   /// The points from which each added point comes, in the order of the added points: twice the one
-  /// that it is a copy of, or both ends of the edge. Values of points are carried along by it.
+  /// that it is a copy of, or both ends of the edge, which may be an added point, but an earlier
+  /// one. Values of points are carried along by it.
   std::vector<std::array<std::size_t, 2>> origins;
   /// The triangle of which each triangle of the result is a part.
   std::vector<std::size_t> triangles;
@@ -66,7 +67,8 @@ ManifoldChanges make_manifold(Points& points, Triangles& triangles) {
   for (const auto& [a, b] : split.added) {
     new_points.push_back(
         a == b ? Point(points[a])
-               : internal::point_at<Point>(0.5 * surface.points[a] + 0.5 * surface.points[b]));
+               : internal::point_at<Point>(0.5 * internal::position_of(new_points[a]) +
+                                           0.5 * internal::position_of(new_points[b])));
     changes.origins.push_back({a, b});
   }
   auto new_triangles = internal::empty_like(triangles);

@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -58,7 +60,7 @@ ManifoldChanges check(const Soup& input) {
   CHECK(std::equal(input.points.begin(), input.points.end(), soup.points.begin()));
   for (std::size_t i = 0; i < changes.origins.size(); ++i) {
     const auto& [a, b] = changes.origins[i];
-    CHECK(soup.points[input.points.size() + i] == 0.5 * input.points[a] + 0.5 * input.points[b]);
+    CHECK(soup.points[input.points.size() + i] == 0.5 * soup.points[a] + 0.5 * soup.points[b]);
   }
   return changes;
 }
@@ -68,6 +70,27 @@ Soup two_cubes(int dx, int dy, int dz) {
   return test::surface_of_cubes(2, 2, 2, [=](int x, int y, int z) {
     return (x == 0 && y == 0 && z == 0) || (x == dx && y == dy && z == dz);
   });
+}
+
+/// Triangles with duplicates, also wound the other way, edges of many faces, and equal corners.
+Soup random_triangles(std::uint64_t seed) {
+  test::Random random(seed);
+  Soup soup;
+  const std::uint32_t points = 3 + random.below(10);
+  for (std::uint32_t i = 0; i < points; ++i)
+    soup.points.push_back({{random(0, 1), random(0, 1), random(0, 1)}});
+  for (std::uint32_t face = 1 + random.below(60); face > 0; --face) {
+    Triangle triangle{random.below(points), random.below(points), random.below(points)};
+    const std::uint32_t kind = random.below(10);
+    if (kind < 6 && !soup.triangles.empty()) {
+      const Triangle& other = soup.triangles[random.below(soup.triangles.size())];
+      triangle = {other[0], other[1], kind < 2 ? other[2] : triangle[2]};
+      if (kind % 2 == 0)
+        std::swap(triangle[0], triangle[1]);
+    }
+    soup.triangles.push_back(triangle);
+  }
+  return soup;
 }
 
 } // namespace
@@ -101,6 +124,36 @@ TEST_CASE("Random cubes become manifold") {
     check(test::surface_of_cubes(6, 6, 6, [&](int x, int y, int z) {
       return is_solid[static_cast<std::size_t>((x * 6 + y) * 6 + z)];
     }));
+  }
+}
+
+TEST_CASE("Random triangles become manifold, and stay where they are") {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    INFO("seed " << seed);
+    const Soup input = random_triangles(seed);
+    Soup soup = input;
+    const ManifoldChanges changes = cut(soup);
+    CHECK(test::topology_of(soup).is_manifold);
+    CHECK(!test::topology_of(soup).has_collapsed_faces);
+    // What is cut once has no need of it again.
+    Soup again = soup;
+    CHECK(cut(again).origins.empty());
+    CHECK(test::is_identical(again, soup));
+    // The fragments of a triangle have its area together, and look where it does.
+    std::vector<Position> area(input.triangles.size());
+    std::vector<double> size(input.triangles.size());
+    for (std::size_t face = 0; face < soup.triangles.size(); ++face) {
+      const Position of_fragment = test::area_vector(soup, soup.triangles[face]);
+      area[changes.triangles[face]] += of_fragment;
+      size[changes.triangles[face]] += std::sqrt(squared_length(of_fragment));
+    }
+    for (std::size_t face = 0; face < input.triangles.size(); ++face) {
+      const Triangle& t = input.triangles[face];
+      const bool is_degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+      const Position whole = is_degenerate ? Position{} : test::area_vector(input, t);
+      CHECK(squared_length(area[face] - whole) < 1e-24);
+      CHECK(size[face] == Approx(std::sqrt(squared_length(whole))).margin(1e-12));
+    }
   }
 }
 

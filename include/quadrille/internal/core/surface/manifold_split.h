@@ -226,19 +226,28 @@ private:
   };
 
   void split(const Touching& pair) {
-    const auto original = [this](Index v) {
-      const std::size_t points = surface_.points.size();
-      return v < points ? v : added[v - points].front();
-    };
-    const Index middle = add({original(pair.edge[0]), original(pair.edge[1])});
-    ++split_edges;
-    split(pair.first, pair.edge, middle);
-    if (pair.second != none)
-      split(pair.second, pair.edge, middle);
+    const Index middle = add_middle(pair.edge);
+    const Index opposite = split(pair.first, pair.edge, middle);
+    if (pair.second == none || split(pair.second, pair.edge, middle) != opposite)
+      return;
+    // The sheet is folded along the edge: both faces would get an edge to the same vertex.
+    const std::array across{opposite, middle};
+    const Index inner = add_middle(across);
+    split(pair.second, across, inner);
+    split(pair.second, across, inner); // on its other side
   }
 
-  // The fragment of a face that has the edge becomes two.
-  void split(Index face, const std::array<Index, 2>& edge, Index middle) {
+  Index add_middle(const std::array<Index, 2>& edge) {
+    const auto original = [this](Index v) { // of a copy
+      const std::size_t points = surface_.points.size();
+      return v >= points && added[v - points][0] == added[v - points][1] ? added[v - points][0] : v;
+    };
+    ++split_edges;
+    return add({original(edge[0]), original(edge[1])});
+  }
+
+  // The fragment of a face that has the edge becomes two. Returns the vertex opposite to the edge.
+  Index split(Index face, const std::array<Index, 2>& edge, Index middle) {
     std::vector<Index>& fragments = fragments_.try_emplace(face, 1, face).first->second;
     for (const Index fragment : fragments)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -251,8 +260,9 @@ private:
         fragments.push_back(static_cast<Index>(triangles.size()));
         triangles.push_back(other);
         faces.push_back(Index{faces[face]});
-        return;
+        return other[(i + 2) % 3];
       }
+    return none; // is not reached: the edge is one of the face
   }
 
   SurfaceView surface_;
