@@ -25,6 +25,7 @@
 #include <quadrille/hidden.h>
 #include <quadrille/hull.h>
 #include <quadrille/importance.h>
+#include <quadrille/join_gaps.h>
 #include <quadrille/level_maps.h>
 #include <quadrille/level_splits.h>
 #include <quadrille/keep_planes.h>

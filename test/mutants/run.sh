@@ -79,7 +79,7 @@ passes() {
     interface) # with the sources of the interface, where the bugs are
       options=-DQUADRILLE_WITH_COMPILED sources="$folder/include/quadrille/c/*.cpp" libraries="$folder/compiled.a $libraries" ;;
     eigen) options=$(pkg-config --cflags eigen3) ;;
-    handles) prelude= ;; # with which g++ 12 takes more than 20 GB
+    gaps | handles) prelude= ;; # with which g++ 12 takes more than 20 GB
     keep_planes | voxel_size) sources="$folder/include/quadrille/compiled/*.cpp" ;; # where the bugs are
     any_order) options="-O1 -I$folder/test/any_order" ;;
     parallel*) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;

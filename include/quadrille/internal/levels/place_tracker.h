@@ -3,8 +3,8 @@
 
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/nearest_point.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/internal/levels/nearest_point.h>
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>
 #include <quadrille/quadric_form.h>

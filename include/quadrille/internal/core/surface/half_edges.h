@@ -92,6 +92,23 @@ public:
     measure_sides();
   }
 
+  /// Splits a half-edge that has a twin at a new vertex in its middle, and each of the faces there
+  /// in two. The pieces at the origins of the half-edge and of its twin keep the numbers of the
+  /// faces. Calls add_vertex(a, b) and add_face(like), as cut() does.
+  template <class AddVertex, class AddFace>
+  void split(Index h, AddVertex add_vertex, AddFace add_face) {
+    const Index twin = twin_[h];
+    const Index middle = add(origin(h), origin(twin), add_vertex);
+    const Index beyond = split_face(h, middle, add_face),
+                before = split_face(twin, middle, add_face);
+    join(h, before);
+    join(twin, beyond);
+    out_[middle] = beyond;
+    for (const Index side : {h, next(h), twin, next(twin)})
+      length_[side] = measured(side);
+    measure_sides();
+  }
+
 private:
   struct Side {
     Index other, half_edge; // by the lower vertex of an edge, its higher one
@@ -159,8 +176,10 @@ private:
     auto h = static_cast<Index>(length_.size());
     length_.resize(3 * triangles_.size());
     for (; h < length_.size(); ++h)
-      length_[h] =
-          static_cast<float>(std::sqrt(squared_length(points_[target(h)] - points_[origin(h)])));
+      length_[h] = measured(h);
+  }
+  float measured(Index h) const {
+    return static_cast<float>(std::sqrt(squared_length(points_[target(h)] - points_[origin(h)])));
   }
 
   // The corners at a vertex from the face of a half-edge that leaves it to that of one that comes.
@@ -178,6 +197,23 @@ private:
     is_inside_.push_back(true);
     add_vertex(a, b);
     return static_cast<Index>(points_.size() - 1);
+  }
+
+  // The face of a half-edge ends at the new vertex on it. Returns the first half-edge of the new
+  // face, which has the rest.
+  template <class AddFace>
+  Index split_face(Index h, Index middle, AddFace& add_face) {
+    const Index second = next(h), end = origin(second), first = static_cast<Index>(3 * faces());
+    triangles_.push_back({middle, end, origin(previous(h))});
+    add_face(face(h));
+    triangles_[second / 3][second % 3] = middle;
+    twin_.resize(3 * triangles_.size(), none);
+    if (twin_[second] != none)
+      join(first + 1, twin_[second]);
+    join(second, first + 2);
+    if (out_[end] == second)
+      out_[end] = first + 1;
+    return first;
   }
 
   // Closes a hole with these vertices in the order in which the new faces run; from the i-th one to

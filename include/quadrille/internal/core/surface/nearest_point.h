@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_LEVELS_NEAREST_POINT_H
-#define QUADRILLE_INTERNAL_LEVELS_NEAREST_POINT_H
+#ifndef QUADRILLE_INTERNAL_CORE_SURFACE_NEAREST_POINT_H
+#define QUADRILLE_INTERNAL_CORE_SURFACE_NEAREST_POINT_H
 
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/quadric_form.h>
@@ -73,4 +73,4 @@ inline NearestPoint nearest_of_triangle(const Vector<3>& p, const TriangleCorner
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_LEVELS_NEAREST_POINT_H
+#endif // QUADRILLE_INTERNAL_CORE_SURFACE_NEAREST_POINT_H
