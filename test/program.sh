@@ -1675,6 +1675,85 @@ expect stderr '^--hidden drop does not go with --both-ways, --tolerance or --sol
 run 2 whole.ply out.ply --out-of-core scratch --hidden drop
 expect stderr '.*--hidden'
 
+# A plate with a tunnel of one square and one of five, with a texture in six charts and two materials
+awk 'function full(x, y, z) {
+  return x >= 0 && x < 18 && y >= 0 && y < 10 && z >= 0 && z < 3 && !(x == 3 && y == 4) && !(x >= 8 && x < 13 && y >= 2 && y < 7)
+}
+BEGIN {
+  print "mtllib plate.mtl"
+  for (x = 0; x < 18; ++x) for (y = 0; y < 10; ++y) for (z = 0; z < 3; ++z) if (full(x, y, z))
+    for (side = 0; side < 6; ++side) {
+      axis = int(side / 2); beyond = side % 2
+      d[0] = d[1] = d[2] = 0; d[axis] = beyond ? 1 : -1
+      if (full(x + d[0], y + d[1], z + d[2])) continue
+      print "usemtl " (x < 8 ? "first" : "second")
+      for (k = 0; k < 4; ++k) {
+        i = k == 1 || k == 2; j = k >= 2
+        o[axis] = beyond; o[(axis + 1) % 3] = i; o[(axis + 2) % 3] = j
+        p[0] = x + o[0]; p[1] = y + o[1]; p[2] = z + o[2]
+        print "v", p[0], p[1], p[2]
+        print "vt", (side + 0.1 + p[(axis + 1) % 3] / 20) / 6, 0.1 + p[(axis + 2) % 3] / 20
+      }
+      n += 4
+      if (beyond) print "f", n-3 "/" n-3, n-2 "/" n-2, n-1 "/" n-1, n "/" n
+      else print "f", n "/" n, n-1 "/" n-1, n-2 "/" n-2, n-3 "/" n-3
+    }
+}' >plate.obj
+printf 'newmtl first\nmap_Kd plate.png\nnewmtl second\n' >plate.mtl
+run 0 plate.obj plate.glb --keep 100%
+expect stderr 'all faces lie along the axes, with edges of one length: for voxels, --preset voxels$'
+for in in plate.obj plate.glb; do
+  run 0 $in out.${in##*.} --faces 200 --cut-handles 1.5 --report report.json
+  expect stdout '200 faces .*, 1 handle cut, closed within [0-9.]+ % of the diagonal of IN$'
+  expect report.json '"cut_distance": 0.5'
+  expect report.json '"cut_handles": 1'
+  run 0 $in out.${in##*.} --error 0.3 --both-ways --cut-handles 1.5 --normals 80 --no-self-intersection --verify
+  expect stdout 'no point of OUT is further than .* from IN with its cuts, and no point of IN further than that from OUT'
+  expect stdout ': verified: .* promised'
+  run 0 $in out.${in##*.} --error 0.3 --both-ways --calibrated --cut-handles 1.5 --verify
+  run 0 $in out.${in##*.} --faces 200 --preset generated -v
+  expect stderr '^plate\.(obj|glb): --preset generated: simplified_topology 3 \* edge$'
+  expect stdout ', 2 handles cut' # a wall between both tunnels, too
+done
+run 0 plate.glb out.obj --faces 200 --cut-handles 1.5
+grep -q '^usemtl second' out.obj || fail "a material is gone"
+run 0 plate.obj out.off --faces 200 --cut-handles 1.5 --record record.qlv
+run 0 out2.off --from record.qlv --keep 100%
+whole=$(sed -n 2p out2.off | cut -d' ' -f2)
+[ "$whole" -eq $(($(grep -c '^f' plate.obj) * 2 + 8)) ] || fail "the record begins with $whole faces"
+run 2 plate.obj out.off --cut-handles 1.5 --solid
+expect stderr '^--cut-handles does not go with --solid: both sides of a cut touch, which a solid does not$'
+for asked in --manifold '--preset generated' '--cut-handles 1'; do
+  run 2 whole.ply out.ply --out-of-core scratch $asked
+  expect stderr "^${asked%% *}: does not go with --out-of-core: .*simplify out of core to what fits into memory first, and then OUT with ${asked%% *}"
+done
+
+# Two cubes with an edge in common, and colours with a seam
+awk 'BEGIN {
+  print "ply\nformat ascii 1.0\nelement vertex 16\nproperty float x\nproperty float y\nproperty float z"
+  print "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 12\nproperty list uchar int vertex_indices\nend_header"
+  for (c = 0; c < 2; ++c) for (i = 0; i < 8; ++i) print i % 2 + c, int(i / 2) % 2 + c, int(i / 4), 250 * c, 0, 9
+  for (k = 0; k < 16; k += 8) {
+    m = split("0 2 3 1,4 5 7 6,0 1 5 4,2 6 7 3,0 4 6 2,1 3 7 5", q, ",")
+    for (i = 1; i <= m; ++i) { split(q[i], v, " "); print 4, v[1] + k, v[2] + k, v[3] + k, v[4] + k }
+  }
+}' >cubes.ply
+run 0 cubes.ply out.ply --keep 100% --weld --manifold
+expect stdout ', made manifold: 2 vertices split, 0 edges split in their middle: '
+
+# Surfaces that look like those of a preset
+awk 'BEGIN {
+  n = 30; print "OFF\n" (n + 1) * (n + 1), 2 * n * n, 0
+  for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print i, j, 2 * sin(i / 4) * cos(j / 5)
+  for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { v = i * (n + 1) + j; print 3, v, v + n + 1, v + n + 2; print 3, v, v + n + 2, v + 1 }
+}' >terrain.off
+run 0 terrain.off out.off
+expect stderr '^terrain.off: it shows one side only along the z axis: for terrain, --preset terrain$'
+run 0 terrain.off out.off --preset terrain
+expect_nothing stderr
+run 0 plate.obj out.off --faces 200 --voxel-size 1
+grep -q 'for voxels' stderr && fail "a hint to what was asked for"
+
 # The input may be the output
 run 0 plain.off plain.off
 expect_ratio plain.off 400

@@ -134,7 +134,8 @@ struct SoupOptions {
   std::optional<Topology> topology = std::nullopt;    ///< kept, or by default free with pairs
   /// The soup is cut into manifold sheets first: see make_manifold().
   bool manifold = false;
-  /// Tunnels and handles up to a size are cut first: see cut_handles().
+  /// Tunnels and handles up to a size are cut first: see cut_handles(). Limits and guards hold for
+  /// the surface after the cuts: see Report::cut_distance.
   std::optional<double> simplified_topology = {};
   std::optional<double> keep_planes = {};    ///< an area, see KeepPlanes
   std::optional<double> plane_flatness = {}; ///< see KeepPlanes, which it needs
@@ -184,7 +185,8 @@ struct SoupOptions {
   /// See SplitVertices: points at exactly the same place are one vertex. The result then has no
   /// vertex map.
   bool split_vertices = false;
-  /// Receives all contractions, as Levels does: see record_into.
+  /// Receives all contractions, as Levels does: see record_into. With preparations the record
+  /// begins with the prepared surface, and has its indices.
   std::optional<SoupRecorder> recorder = {};
 };
 
@@ -220,6 +222,19 @@ struct SoupChannel {
   SoupTriangles triangles;    ///< for each triangle, the values of its corners; or empty
 };
 
+/// The surface that SoupOptions::manifold and SoupOptions::simplified_topology make of a soup. Its
+/// points come first, and added points behind them; triangles that close cuts come behind the
+/// others.
+struct PreparedSurface {
+  SoupPoints points;       ///< empty if there was no preparation
+  SoupTriangles triangles; ///< the triangles with which the run begins
+  /// For each added point, the point of the input from which it comes; the first one, if it lies in
+  /// the middle of several.
+  std::vector<std::uint32_t> origins;
+  /// For each point, added ones included, what SoupResult::vertex_map is.
+  std::vector<std::size_t> vertex_map;
+};
+
 /// The simplified soup. The remaining points and triangles keep their order.
 struct SoupResult {
   SoupPoints points;                      ///< the remaining points
@@ -230,7 +245,8 @@ struct SoupResult {
   /// For each point of the input, the point into which it was merged, or parameters::vanished.
   /// Empty with SoupOptions::split_vertices.
   std::vector<std::size_t> vertex_map;
-  Report report; ///< the report of the simplification
+  Report report;            ///< the report of the simplification
+  PreparedSurface prepared; ///< the surface that was simplified, if preparations have made it
 };
 
 /// Simplifies a polygon soup as `simplify(points, triangles, …)` does with the same policies, to

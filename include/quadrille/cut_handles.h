@@ -8,8 +8,11 @@
 #include <quadrille/internal/core/base/points.h>
 #include <quadrille/internal/core/base/read_surface.h>
 #include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/surface/flat_polygons.h>
 #include <quadrille/internal/core/surface/handle_cuts.h>
+#include <quadrille/quadric_form.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,6 +36,12 @@ struct HandleChanges {
   std::vector<std::array<std::size_t, 2>> origins;
   /// For each triangle of the result, the triangle of the input that it is, or is next to.
   std::vector<std::size_t> triangles;
+  /// For each added triangle, one that was there before and has its first edge, by its index in the
+  /// result.
+  std::vector<std::size_t> neighbors;
+  /// No point of the added triangles is further than this from the input, in the unit of the
+  /// points. Every point of the input is still there.
+  double distance = 0;
 };
 
 namespace internal {
@@ -45,14 +54,74 @@ inline double valid_size(double size) {
   return size;
 }
 
+/// How far the triangles that close cuts are from the input. A point of a fan is at most as far
+/// from the edge of its triangle as the vertex in the middle; a point of a single triangle is as
+/// far from the nearest edge as its incentre, at most. An edge that ends at the middle of an
+/// earlier fan is as far from the input as that.
+class CapDistances {
+public:
+  explicit CapDistances(const HandleCuts& cuts)
+      : surface_(cuts.surface()), first_added_(surface_.vertices() - cuts.added.size()) {
+    for (std::size_t i = 0; i < cuts.added.size(); ++i) {
+      const auto [a, b] = cuts.added[i];
+      middles_.push_back(a != b ? i : middle_of(a));
+    }
+    distances_.resize(cuts.added.size(), 0);
+    for (std::size_t i = 0; i < cuts.like.size(); ++i)
+      add(surface_.triangle(static_cast<Index>(surface_.faces() - cuts.like.size() + i)));
+  }
+
+  double greatest() const { return greatest_; }
+
+private:
+  static constexpr auto no_middle = static_cast<std::size_t>(-1);
+
+  // The vertex in the middle of a fan of which one is a copy.
+  std::size_t middle_of(Index v) const {
+    return v < first_added_ ? no_middle : middles_[v - first_added_];
+  }
+  double distance_of(Index v) const {
+    const std::size_t middle = middle_of(v);
+    return middle == no_middle ? 0 : distances_[middle];
+  }
+
+  void add(const HalfEdges::Triangle& t) {
+    const Vector<3>&a = surface_.point(t[0]), &b = surface_.point(t[1]), &c = surface_.point(t[2]);
+    const std::size_t middle = middle_of(t[2]);
+    const double of_edge = (std::max)(distance_of(t[0]), distance_of(t[1]));
+    double distance = of_edge;
+    if (middle == no_middle)
+      distance += inner_radius(a, b, c);
+    else
+      distance += std::sqrt(squared_distance_to_segment(c, a, b));
+    if (middle != no_middle)
+      distances_[middle] = (std::max)(distances_[middle], distance);
+    greatest_ = (std::max)(greatest_, distance);
+  }
+
+  static double inner_radius(const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) {
+    const double perimeter = std::sqrt(squared_distance(a, b)) + std::sqrt(squared_distance(b, c)) +
+                             std::sqrt(squared_distance(c, a));
+    return perimeter > 0 ? std::sqrt(squared_length(cross(b - a, c - a))) / perimeter : 0;
+  }
+
+  const HalfEdges& surface_;
+  std::size_t first_added_;
+  std::vector<std::size_t> middles_; // of the added vertices, as those that are in the middle
+  std::vector<double> distances_;    // of the added vertices in the middle, from the input
+  double greatest_ = 0;
+};
+
 inline HandleChanges changes_of(const HandleCuts& cuts, std::size_t triangles) {
-  HandleChanges changes{cuts.handles, cuts.necks, {}, {}};
+  HandleChanges changes{cuts.handles, cuts.necks, {}, {}, {}, CapDistances(cuts).greatest()};
   for (const auto& [a, b] : cuts.added)
     changes.origins.push_back({a, b});
   for (std::size_t face = 0; face < triangles; ++face)
     changes.triangles.push_back(face);
-  for (const Index face : cuts.like) // may be an added one
+  for (const Index face : cuts.like) { // may be an added one
     changes.triangles.push_back(std::size_t{changes.triangles[face]});
+    changes.neighbors.push_back(face);
+  }
   return changes;
 }
 

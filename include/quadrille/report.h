@@ -160,7 +160,13 @@ struct Report {
   std::size_t cut_handles = 0;
   /// Components that were cut in two before.
   std::size_t split_components = 0;
-  std::size_t kept_planes = 0;           ///< plane regions that were kept: see KeepPlanes
+  /// No point of the faces that close these cuts is further than this from the input, of which no
+  /// point has moved; in the mesh's units. Distances and limits are those from the surface after
+  /// the cuts, so a result within a limit is within the sum of both of the input.
+  double cut_distance = 0;
+  std::size_t split_vertices = 0; ///< vertices that were added before: see SoupOptions::manifold
+  std::size_t split_edges = 0;    ///< edges that were split in their middle before, for the same
+  std::size_t kept_planes = 0;    ///< plane regions that were kept: see KeepPlanes
   std::size_t non_manifold_edges = 0;    ///< edges of the result with at least three faces
   std::size_t non_manifold_vertices = 0; ///< vertices of the result whose faces form neither a
                                          ///< disc nor half a disc
@@ -262,6 +268,12 @@ inline void print_lost_components(std::ostream& out, const Report& report) {
     out << ", " << report.cut_handles << " handles cut";
   if (report.split_components > 0)
     out << ", " << report.split_components << " components cut in two";
+  if (report.cut_distance > 0)
+    out << ", cuts closed within " << report.cut_distance << " of the input";
+  if (report.split_vertices > 0)
+    out << ", " << report.split_vertices << " vertices split";
+  if (report.split_edges > 0)
+    out << ", " << report.split_edges << " edges split";
 }
 
 } // namespace internal

@@ -784,6 +784,48 @@ class Files(Folder):
             self.assertTrue((np.unique(edges, axis=0, return_counts=True)[1] == 2).all())  # not torn
 
 
+class Preparations(Folder):
+    def genus(self, points, faces):
+        edges = np.unique(np.sort(np.concatenate([faces[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1), axis=0,
+                          return_counts=True)
+        self.assertTrue((edges[1] == 2).all())
+        return 1 - (len(np.unique(faces)) - len(edges[0]) + len(faces)) // 2
+
+    def test_textures_go_with_cuts_limits_and_splits(self):
+        points, faces, uv = torus(40)
+        asked = {"simplified_topology": 3, "uv": uv}
+        small = quadrille.simplify(points, faces, faces=400, **asked)
+        self.assertEqual((small.report.cut_handles, self.genus(small.points, small.faces)), (1, 0))
+        self.assertLess(0.5, small.report.cut_distance)  # half of the hole, which is up to 2 wide
+        self.assertLess(small.report.cut_distance, 1.1)
+        values, triples = small.uv
+        self.assertTrue((np.ptp(values[triples], axis=1) < 0.6).all())  # no face reaches across a seam
+        limited = quadrille.simplify(points, faces, error=0.05, **asked)
+        self.assertLessEqual(limited.report.distance_bound, 0.05)
+        self.assertEqual(limited.report.cut_handles, 1)
+        exact = quadrille.simplify(points, faces, error=0.05, both_ways=True, calibrated=True, **asked)
+        self.assertLessEqual(len(exact.faces), len(limited.faces))
+        corners = points[faces].reshape(-1, 3)  # of each face its own points
+        split = quadrille.simplify(corners, np.arange(3 * len(faces)).reshape(-1, 3), faces=400, split_vertices=True,
+                                   simplified_topology=3)
+        self.assertEqual((split.report.cut_handles, len(split.faces), split.vertex_map), (1, 400, None))
+        with self.assertRaisesRegex(ValueError, "levels"):
+            quadrille.simplify(points, faces, manifold=True, levels=quadrille.Levels())
+        with self.assertRaisesRegex(ValueError, "touch"):
+            quadrille.simplify(points, faces, keep_solid=True, simplified_topology=3)
+
+    @unittest.skipUnless(hasattr(quadrille._core, "simplify_gltf"), "built without glTF")
+    def test_glTF_is_cut_with_all_that_it_has(self):
+        points, faces, uv = torus(40)
+        quadrille.write_mesh(self.path("a.glb"), quadrille.Mesh(points, faces, uv=uv))
+        report = quadrille.simplify_gltf(self.path("a.glb"), self.path("b.glb"), faces=400, simplified_topology=3)
+        self.assertEqual((report.cut_handles, report.faces_after), (1, 400))
+        small = quadrille.read_mesh(self.path("b.glb"))
+        self.assertEqual(self.genus(small.points, small.faces), 0)
+        values, triples = small.uv
+        self.assertTrue((np.ptp(values[triples], axis=1) < 0.6).all())
+
+
 class Copies(Folder):
     def same(self, a, b):
         self.assertIs(type(a), type(b))

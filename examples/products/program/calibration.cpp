@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "calibration.h"
 
+#include "../mesh_io/attributes/soup_arrays.h"
 #include "../mesh_io/mesh/bounding_box.h"
+#include "simplify_mesh.h"
 
 #include <quadrille/calibrated.h>
 
@@ -15,7 +17,7 @@ namespace {
 
 struct Coarse {
   IndexedMesh mesh;
-  std::vector<std::size_t> vertex_map;
+  quadrille::PreparedSurface begun;
   quadrille::Report report;
   double factor;
 };
@@ -40,17 +42,17 @@ Coarse coarsest(const IndexedMesh& mesh, const Options& options, Run run) {
 } // namespace
 
 quadrille::Report simplify_calibrated(IndexedMesh& mesh, const Options& options,
-                                      std::vector<std::size_t>* vertex_map,
-                                      const Simplify& simplify) {
-  Coarse best = coarsest(mesh, options, [&](double factor) {
+                                      quadrille::PreparedSurface* begun, const Simplify& simplify) {
+  const IndexedMesh input = mesh_that_runs_begin_with(
+      soup_points(mesh.points), mesh.triangles, soup_options(options, mesh.points, mesh.triangles));
+  Coarse best = coarsest(input, options, [&](double factor) {
     Coarse next{mesh, {}, {}, factor};
-    next.report =
-        simplify(next.mesh, times(options, factor), vertex_map ? &next.vertex_map : nullptr);
+    next.report = simplify(next.mesh, times(options, factor), begun ? &next.begun : nullptr);
     return next;
   });
   mesh = std::move(best.mesh);
-  if (vertex_map)
-    *vertex_map = std::move(best.vertex_map);
+  if (begun)
+    *begun = std::move(best.begun);
   return best.report;
 }
 

@@ -7,6 +7,7 @@
 #include "../mesh_io/mesh_io.h"
 #include "options.h"
 
+#include <quadrille/compiled.h>
 #include <quadrille/report.h>
 
 #include <cstddef>
@@ -16,14 +17,14 @@
 
 namespace quadrille_examples {
 
-/// What simplifies a mesh as options say, and tells what became of each point, if that is asked.
+/// What simplifies a mesh as options say, and tells with which surface it has begun, if that is
+/// asked.
 using Simplify = std::function<quadrille::Report(IndexedMesh& mesh, const Options& options,
-                                                 std::vector<std::size_t>* vertex_map)>;
+                                                 quadrille::PreparedSurface* begun)>;
 
 /// Simplifies with multiples of --error, and leaves the coarsest that is proved to be within it.
 quadrille::Report simplify_calibrated(IndexedMesh& mesh, const Options& options,
-                                      std::vector<std::size_t>* vertex_map,
-                                      const Simplify& simplify);
+                                      quadrille::PreparedSurface* begun, const Simplify& simplify);
 
 /// The options that leave the coarsest, and its distance both ways as it is proved; none where the
 /// limit itself does.

@@ -183,15 +183,12 @@ inline void require_consistency(const Options& options) {
   reject_if(options.cuts_handles() && topology(options) == quadrille::Topology::free,
             "--cut-handles does not go with --topology free or --pairs: it keeps the rest of "
             "the topology");
-  reject_if(options.cuts_handles() && (options.promises() || !options.record.empty()),
-            "--cut-handles does not go with --error, --tolerance, --no-self-intersection, --solid, "
-            "--normals or --record: nothing is promised of the faces that close a cut");
+  reject_if(options.cuts_handles() && soup.keep_solid,
+            "--cut-handles does not go with --solid: both sides of a cut touch, which a solid does "
+            "not");
   reject_if(options.soup.manifold && topology(options) == quadrille::Topology::free,
             "--manifold does not go with --topology free or --pairs: these make edges of more than "
             "two faces");
-  reject_if((options.cuts_handles() || options.soup.manifold) &&
-                is_gltf(extension_of(options.input, options)),
-            "--cut-handles and --manifold do not go with glTF: its meshes are split at seams");
   reject_if(options.hidden.drops() &&
                 (options.target.both_ways || soup.keep_solid || !options.target.tolerance.empty()),
             "--hidden drop does not go with --both-ways, --tolerance or --solid: dropped faces are "

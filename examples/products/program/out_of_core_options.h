@@ -28,9 +28,15 @@ inline constexpr NotByChunks not_by_chunks[] = {
      "alone also keeps the limit"},
     {"--orient", "a chunk does not know the orientation of the others"},
     {"--pairs", "pairs that are not edges may lie in different chunks"},
-    {"--cut-handles", "a handle may lie in several chunks"},
-    {"--preset", "a chunk does not see the surface of the others"},
-    {"--manifold", "a chunk does not see the faces of the others"},
+    {"--cut-handles",
+     "a handle may lie in several chunks; simplify out of core to what fits into memory first, and "
+     "then OUT with --cut-handles"},
+    {"--preset",
+     "a chunk does not see the surface of the others; simplify out of core to what fits into "
+     "memory first, and then OUT with --preset"},
+    {"--manifold",
+     "a chunk does not see the faces of the others; simplify out of core to what fits into memory "
+     "first, and then OUT with --manifold"},
     {"--hidden", "a chunk does not see the faces of the others"},
     {"--no-self-intersection", "a chunk does not see the faces of the others"},
     {"--solid", "a chunk does not see the faces of the others"},

@@ -75,13 +75,15 @@ std::string line(const Options& options, const Outcome& outcome) {
   if (!options.levels.empty())
     text += " in " + outcome.file;
   text += ", " + duration_text(report.seconds.total());
+  const double least_distance = 1e-9 * outcome.diagonal; // less is rounding
+  const std::string cuts = report.cut_distance > least_distance ? " with its cuts" : "";
   if (std::isfinite(report.hausdorff_bound))
     text += ", no point of OUT is further than " +
-            bound_text(report.hausdorff_bound, outcome.diagonal) +
-            " from IN, and no point of IN further than that from OUT";
+            bound_text(report.hausdorff_bound, outcome.diagonal) + " from IN" + cuts +
+            ", and no point of IN further than that from OUT";
   else if (std::isfinite(report.distance_bound))
     text += ", no point of OUT is further than " +
-            bound_text(report.distance_bound, outcome.diagonal) + " from IN";
+            bound_text(report.distance_bound, outcome.diagonal) + " from IN" + cuts;
   else
     text += ", error about " + distance_text(report.error, outcome.diagonal);
   if (report.used_tolerance)
@@ -108,6 +110,11 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", " + counted(report.cut_handles, "handle") + " cut";
   if (report.split_components > 0)
     text += ", " + counted(report.split_components, "component") + " cut in two";
+  if (report.cut_distance > least_distance)
+    text += ", closed within " + distance_text(report.cut_distance, outcome.diagonal) + " of IN";
+  if (report.split_vertices + report.split_edges > 0)
+    text += ", made manifold: " + with_commas(report.split_vertices) + " vertices split, " +
+            with_commas(report.split_edges) + " edges split in their middle";
   const quadrille::Status input{.initial_faces = report.counted_faces,
                                 .initial_vertices = report.vertices_before,
                                 .faces = report.counted_faces,
@@ -257,6 +264,9 @@ Json json_of(const Outcome& outcome) {
                {"largest_vanished_component", report.largest_vanished_component},
                {"cut_handles", report.cut_handles},
                {"split_components", report.split_components},
+               {"cut_distance", report.cut_distance},
+               {"split_vertices", report.split_vertices},
+               {"split_edges", report.split_edges},
                {"non_manifold_edges", report.non_manifold_edges},
                {"non_manifold_vertices", report.non_manifold_vertices},
                {"error", report.error},

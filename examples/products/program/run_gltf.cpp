@@ -1,6 +1,7 @@
 #include "../mesh_io/gltf.h"
 #include "../mesh_io/gltf/compression.h"
 #include "../mesh_io/mesh/follow_triangles.h"
+#include "../mesh_io/mesh/winding.h"
 #include "calibration.h"
 #include "hidden.h"
 #include "outcome.h"
@@ -104,14 +105,6 @@ std::optional<Measurement> measure(const Surfaces& input, const Surfaces& result
   return measured;
 }
 
-IndexedMesh mesh_of(const quadrille::SoupPoints& points,
-                    const quadrille::SoupTriangles& triangles) {
-  IndexedMesh mesh;
-  mesh.points = mesh_points(points);
-  mesh.triangles = triangles;
-  return mesh;
-}
-
 /// A document on its way to its result.
 class GltfRun {
 public:
@@ -125,11 +118,13 @@ public:
     progress_.clear();
     require_fit(options_, meshes.surfaces());
     print_remarks(options_, meshes);
+    print_preset(options_);
     if (const std::string& how = meshes.document().compression;
         !how.empty() && options_.compression.empty())
       print_remark(options_,
                    "IN is compressed, OUT is not: --compress " + how + " compresses it again");
     placements_ = meshes.placements();
+    print_hint(meshes.surfaces());
     prepare_hidden(meshes.surfaces());
     if (options_.levels.empty()) {
       const Surfaces input =
@@ -147,6 +142,14 @@ public:
   }
 
 private:
+  void print_hint(Surfaces& surfaces) const {
+    if (options_.is_quiet)
+      return;
+    const GltfSceneSurface scene(surfaces, placements_);
+    const IndexedMesh mesh = bare_mesh(scene.points(), scene.triangles());
+    quadrille_examples::print_hint(options_, mesh, Winding(mesh));
+  }
+
   /// Drops faces that nobody sees in the scene at rest, or weights vertices, as --hidden says.
   void prepare_hidden(Surfaces& surfaces) {
     const GltfSceneSurface scene(surfaces, placements_);
@@ -164,26 +167,28 @@ private:
   }
 
   static quadrille::Report simplify(GltfSceneSurface& scene, const Options& options) {
-    return with_errors_of_file(options, [&] {
-      quadrille::SoupOptions soup = soup_options(options, scene.points(), scene.triangles());
-      soup.coordinates_are_floats = scene.is_of_floats();
-      return scene.simplify(soup, channel_choices(options));
-    });
+    return with_errors_of_file(
+        options, [&] { return scene.simplify(soup_of(scene, options), channel_choices(options)); });
+  }
+  static quadrille::SoupOptions soup_of(const GltfSceneSurface& scene, const Options& options) {
+    quadrille::SoupOptions soup = soup_options(options, scene.points(), scene.triangles());
+    soup.coordinates_are_floats = scene.is_of_floats();
+    return soup;
   }
 
   /// With the greatest multiple of --error that is proved to be within it, as the file has it.
   quadrille::Report simplify_calibrated(GltfSceneSurface& scene, const Surfaces& surfaces,
                                         const Options& options) {
-    const CalibratedLimit limit =
-        calibrated_limit(mesh_of(scene.points(), scene.triangles()), options,
-                         [&](const Options& coarser, IndexedMesh& left) {
-                           Surfaces copy = surfaces;
-                           GltfSceneSurface trial(copy, placements_);
-                           const quadrille::Report report = simplify(trial, coarser);
-                           const GltfSceneSurface written(copy, placements_);
-                           left = mesh_of(written.points(), written.triangles());
-                           return report;
-                         });
+    const CalibratedLimit limit = calibrated_limit(
+        mesh_that_runs_begin_with(scene.points(), scene.triangles(), soup_of(scene, options)),
+        options, [&](const Options& coarser, IndexedMesh& left) {
+          Surfaces copy = surfaces;
+          GltfSceneSurface trial(copy, placements_);
+          const quadrille::Report report = simplify(trial, coarser);
+          const GltfSceneSurface written(copy, placements_);
+          left = bare_mesh(written.points(), written.triangles());
+          return report;
+        });
     quadrille::Report report = simplify(scene, limit.options);
     if (limit.bound)
       report.distance_bound = report.hausdorff_bound = *limit.bound;
@@ -225,12 +230,15 @@ private:
   /// The scene, as the soup that has been simplified, and as the numbers of the file have it.
   quadrille::Verdict verified(const Options& options, const quadrille::Report& report,
                               const GltfSceneSurface& scene, Surfaces surfaces) {
-    const IndexedMesh input = mesh_of(scene.points(), scene.triangles());
+    const quadrille::PreparedSurface& prepared = scene.result().prepared;
+    const bool is_prepared = !prepared.points.empty();
+    const IndexedMesh input = is_prepared ? bare_mesh(prepared.points, prepared.triangles)
+                                          : bare_mesh(scene.points(), scene.triangles());
     const GltfSceneSurface written(surfaces, placements_);
     return verify(options, report,
-                  {input, input, mesh_of(scene.result().points, scene.result().triangles),
-                   mesh_of(written.points(), written.triangles())},
-                  scene.result().vertex_map, progress_);
+                  {input, input, bare_mesh(scene.result().points, scene.result().triangles),
+                   bare_mesh(written.points(), written.triangles())},
+                  is_prepared ? prepared.vertex_map : scene.result().vertex_map, progress_);
   }
 
   static std::size_t faces_of(GltfMeshes& meshes) {

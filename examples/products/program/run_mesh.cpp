@@ -3,13 +3,13 @@
 #include "../mesh_io/gltf/mesh_document.h"
 #include "../mesh_io/gltf/scene_mesh.h"
 #include "../mesh_io/mesh/bounding_box.h"
-#include "../mesh_io/mesh/manifold.h"
 #include "../mesh_io/mesh/winding.h"
 #include "../mesh_io/mesh_io.h"
 #include "../mesh_io/replace_file.h"
 #include "../mesh_io/text.h"
 #include "calibration.h"
 #include "figures.h"
+#include "kind_hint.h"
 #include "option_names.h"
 #include "outcome.h"
 #include "position_recorder.h"
@@ -92,29 +92,21 @@ void print_preset(const Options& options) {
                    "--preset " + name + ": " + std::string(option) + " " + std::string(value));
 }
 
-namespace {
-
-/// A hint, which changes nothing, where a surface looks like one of a kind.
-void print_hint(const Options& options, const Winding& winding, std::size_t faces) {
-  constexpr std::size_t many = 10'000; // faces for each edge of more than two of them
-  if (options.soup.preset || options.soup.manifold ||
-      options.soup.topology == quadrille::Topology::free || winding.crowded_edges() == 0 ||
-      faces > many * winding.crowded_edges() ||
-      faces < 2 * winding.crowded_edges()) // the edges of a sheet with both sides have four faces
+void print_hint(const Options& options, const IndexedMesh& mesh, const Winding& winding) {
+  const quadrille::SoupOptions& soup = options.soup;
+  if (options.is_quiet || soup.preset || soup.manifold || soup.height_field ||
+      options.cuts_handles() || options.has_length("voxel_size") ||
+      soup.topology == quadrille::Topology::free)
     return;
-  print_remark(options, with_commas(winding.pieces()) + " pieces, " +
-                            with_commas(winding.crowded_edges()) +
-                            " edges of more than two faces: for a generated surface, --preset "
-                            "generated");
+  if (const std::string hint = SurfaceKind(mesh, winding).hint(); !hint.empty())
+    print_remark(options, hint);
 }
-
-} // namespace
 
 void orient(const Options& options, IndexedMesh& mesh) {
   if (options.is_quiet && !options.orients)
     return;
   const Winding winding(mesh);
-  print_hint(options, winding, mesh.triangles.size());
+  print_hint(options, mesh, winding);
   const std::string count = with_commas(winding.against());
   if (options.orients)
     winding.turn(mesh);
@@ -129,20 +121,6 @@ void orient(const Options& options, IndexedMesh& mesh) {
   if (winding.one_sided() > 0)
     print_remark(options, "one-sided components, whose faces cannot be wound alike: " +
                               with_commas(winding.one_sided()));
-}
-
-void make_manifold(Options& options, IndexedMesh& mesh) {
-  if (!options.soup.manifold)
-    return;
-  const auto changes = with_errors_of(options.input, [&] { return make_manifold(mesh); });
-  for (auto* scalars : {&options.soup.importance, &options.soup.tolerance})
-    for (std::size_t i = 0; i < changes.origins.size() && !scalars->empty(); ++i)
-      scalars->push_back(double{(*scalars)[changes.origins[i][0]]});
-  follow_triangles(options.soup.selected, changes.triangles);
-  if (!changes.origins.empty())
-    print_remark(options, "made manifold: " + with_commas(changes.split_vertices) +
-                              " vertices split, " + with_commas(changes.split_edges) +
-                              " edges split in their middle");
 }
 
 namespace {
@@ -253,7 +231,6 @@ public:
     print_remarks(options_, mesh);
     print_preset(options_);
     orient(options_, mesh);
-    make_manifold(options_, mesh);
     if (!is_standard_output(options_.output) && !writes_gltf())
       print_remark_of_materials(options_, mesh);
     diagonal_ = diagonal(mesh.points, mesh.triangles);
@@ -340,8 +317,8 @@ private:
     const Options options = with_rest_of_limit(asked_options);
     const std::optional<IndexedMesh> input =
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
-    std::vector<std::size_t> vertex_map;
-    std::vector<std::size_t>* const asked = options.verifies ? &vertex_map : nullptr;
+    quadrille::PreparedSurface begun;
+    quadrille::PreparedSurface* const asked = options.verifies ? &begun : nullptr;
     quadrille::Report report = with_errors_of_file(options, [&] {
       return options.target.is_calibrated ? simplify_calibrated(mesh, options, asked, simplify)
                                           : simplify(mesh, options, asked);
@@ -358,14 +335,34 @@ private:
     if (options.measures)
       outcomes_.back().measured = measure(*input, mesh);
     if (options.verifies)
-      outcomes_.back().verdict =
-          verify(options, report, {file_ ? *file_ : *input, *input, mesh, read_back(mesh)},
-                 std::move(vertex_map), progress_);
+      outcomes_.back().verdict = verified(options, report, *input, mesh, std::move(begun));
+  }
+
+  /// Limits are from the surface with which the run has begun. Where IN is another one since points
+  /// have been moved, OUT is as much further from it as the faces that close cuts are.
+  quadrille::Verdict verified(const Options& options, quadrille::Report report,
+                              const IndexedMesh& input, const IndexedMesh& mesh,
+                              quadrille::PreparedSurface begun) {
+    std::optional<IndexedMesh> prepared;
+    if (!begun.points.empty())
+      prepared = bare_mesh(begun.points, begun.triangles);
+    const IndexedMesh& from = prepared ? *prepared : input;
+    if (file_) {
+      report.distance_bound += report.cut_distance;
+      report.hausdorff_bound += report.cut_distance;
+    }
+    const bool has_tolerances = !options.soup.tolerance.empty(); // of the points of the input
+    return verify(options, report,
+                  {file_            ? *file_
+                   : has_tolerances ? input
+                                    : from,
+                   from, mesh, read_back(mesh)},
+                  std::move(begun.vertex_map), progress_);
   }
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {
     simplify_to(file, std::move(mesh), options,
-                [](IndexedMesh& m, const Options& o, std::vector<std::size_t>* vertex_map) {
-                  return simplify_mesh(m, o, {}, vertex_map);
+                [](IndexedMesh& m, const Options& o, quadrille::PreparedSurface* begun) {
+                  return simplify_mesh(m, o, {}, begun);
                 });
   }
 
@@ -406,8 +403,8 @@ private:
     quadrille::Levels levels;
     PositionRecorder recorder(levels);
     simplify_to(files_.front(), std::move(mesh), options_,
-                [&](IndexedMesh& m, const Options& o, std::vector<std::size_t>* vertex_map) {
-                  return simplify_mesh(m, o, quadrille::record_into(recorder), vertex_map);
+                [&](IndexedMesh& m, const Options& o, quadrille::PreparedSurface* begun) {
+                  return simplify_mesh(m, o, quadrille::record_into(recorder), begun);
                 });
     files_.insert(files_.begin(), options_.record);
     contents_.insert(contents_.begin(), encoded_levels(levels));

@@ -53,7 +53,6 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   print_remarks(options, shown.mesh);
   print_preset(options);
   orient(options, shown.mesh);
-  make_manifold(options, shown.mesh);
   std::optional<HiddenSummary> hidden = prepare_hidden(options, shown.mesh, progress);
   Outcome outcome{.file = options.output,
                   .target = options.target,

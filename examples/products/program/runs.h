@@ -19,6 +19,7 @@
 namespace quadrille_examples {
 
 struct IndexedMesh;
+class Winding;
 
 /// Of a mesh in any format but glTF: to one result, with a record, or to several levels.
 bool run_mesh(const Options& options, ProgressLine& progress);
@@ -49,12 +50,12 @@ void take_scalars(Options& options, const IndexedMesh& mesh);
 /// one side is told.
 void orient(const Options& options, IndexedMesh& mesh);
 
+/// Prints which preset goes with a surface, where it stands out and nothing of the kind is asked
+/// for.
+void print_hint(const Options& options, const IndexedMesh& mesh, const Winding& winding);
+
 /// Prints the options of a preset, where everything is printed.
 void print_preset(const Options& options);
-
-/// Cuts a mesh into manifold sheets where --manifold asks for it, with the scalars that were taken
-/// of it.
-void make_manifold(Options& options, IndexedMesh& mesh);
 
 /// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, const IndexedMesh& mesh);

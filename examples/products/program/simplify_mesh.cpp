@@ -1,11 +1,14 @@
 #include "simplify_mesh.h"
 
 #include <quadrille/compiled/option_setting.h>
+#include <quadrille/compiled/prepared_soup.h>
+#include <quadrille/compiled/presets.h>
 
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace quadrille_examples {
@@ -14,13 +17,15 @@ namespace {
 
 /// Simplifies a mesh without attributes that vary.
 quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOptions& options,
-                                     std::vector<std::size_t>* vertex_map) {
-  quadrille::SoupPoints points = soup_points(mesh.points);
-  const quadrille::Report report =
-      quadrille::simplify_soup(points, mesh.triangles, options, vertex_map);
-  mesh.points = mesh_points(points);
+                                     quadrille::PreparedSurface* begun) {
+  const quadrille::SoupPoints points = soup_points(mesh.points);
+  quadrille::SoupResult result = quadrille::simplified_soup({points, mesh.triangles}, options);
+  mesh.points = mesh_points(result.points);
+  mesh.triangles = std::move(result.triangles);
   resize_constants(mesh);
-  return report;
+  if (begun)
+    *begun = begun_surface(result);
+  return result.report;
 }
 
 /// Of the values of each point, the one that is ahead.
@@ -72,7 +77,6 @@ quadrille::SoupOptions soup_options(const Options& options) {
                         options.keeps_components || options.joins_pairs();
   if (!options.soup.preset || is_asked)
     result.topology = topology(options);
-  result.manifold = false; // IN was cut when it was read
   result.coordinates_are_floats = writes_floats(options);
   return result;
 }
@@ -96,12 +100,34 @@ ChannelChoices channel_choices(const Options& options) {
 
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const std::optional<quadrille::SoupRecorder>& recorder,
-                                std::vector<std::size_t>* vertex_map) {
+                                quadrille::PreparedSurface* begun) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;
   if (!needs_channels(mesh))
-    return simplify_positions(mesh, soup, vertex_map);
-  return MeshChannels(mesh).simplify(soup, channel_choices(options), vertex_map);
+    return simplify_positions(mesh, soup, begun);
+  return MeshChannels(mesh).simplify(soup, channel_choices(options), begun);
+}
+
+IndexedMesh bare_mesh(const quadrille::SoupPoints& points,
+                      const quadrille::SoupTriangles& triangles) {
+  IndexedMesh mesh;
+  mesh.points = mesh_points(points);
+  mesh.triangles = triangles;
+  return mesh;
+}
+
+IndexedMesh mesh_that_runs_begin_with(const quadrille::SoupPoints& points,
+                                      const quadrille::SoupTriangles& triangles,
+                                      quadrille::SoupOptions options) {
+  const quadrille::SoupView soup{points, triangles};
+  if (options.preset)
+    options = quadrille::internal::with_preset(options, soup);
+  if (!quadrille::internal::has_preparation(options))
+    return bare_mesh(points, triangles);
+  const quadrille::internal::PreparedSoup prepared(soup, options);
+  const quadrille::SoupView view = prepared.view();
+  return bare_mesh({view.points.begin(), view.points.end()},
+                   {view.triangles.begin(), view.triangles.end()});
 }
 
 } // namespace quadrille_examples

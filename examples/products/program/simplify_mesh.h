@@ -20,11 +20,19 @@
 
 namespace quadrille_examples {
 
-/// With all that the mesh has. `image`, if there is one, becomes a list of what became of each
-/// point: an index of the result, or parameters::vanished.
+/// With all that the mesh has. `begun`, if there is one, becomes what begun_surface() is.
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const std::optional<quadrille::SoupRecorder>& recorder = {},
-                                std::vector<std::size_t>* vertex_map = nullptr);
+                                quadrille::PreparedSurface* begun = nullptr);
+
+/// Points and triangles as a mesh.
+IndexedMesh bare_mesh(const quadrille::SoupPoints& points,
+                      const quadrille::SoupTriangles& triangles);
+
+/// The surface with which a run of these options begins, once it is prepared.
+IndexedMesh mesh_that_runs_begin_with(const quadrille::SoupPoints& points,
+                                      const quadrille::SoupTriangles& triangles,
+                                      quadrille::SoupOptions options);
 
 /// The numbers of points that have this name; at seams the one that is ahead of the others. Throws
 /// std::invalid_argument where there are none.

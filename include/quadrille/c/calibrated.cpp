@@ -1,4 +1,7 @@
 #include <quadrille/calibrated.h>
+#include <quadrille/compiled/joined_soup.h>
+#include <quadrille/compiled/prepared_soup.h>
+#include <quadrille/compiled/presets.h>
 #include <quadrille/compiled/soup_job.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/verify/checked_surface.h>
@@ -32,8 +35,25 @@ SoupOptions times(SoupOptions options, double factor) {
 
 } // namespace
 
-SoupResult calibrated_soup(const SoupView& soup, const SoupJob& job) {
-  check_calibrated(job);
+SoupResult calibrated_soup(const SoupView& soup, const SoupJob& given) {
+  check_calibrated(given);
+  SoupJob job = given;
+  if (given.preset)
+    static_cast<SoupOptions&>(job) = with_preset(given, soup);
+  if (has_preparation(job) && job.split_vertices) {
+    const JoinedSoup joined(soup, job);
+    static_cast<SoupOptions&>(job) = joined.options();
+    SoupResult result = calibrated_soup(joined.view(), job);
+    joined.restore(result);
+    return result;
+  }
+  if (has_preparation(job)) { // once for all runs, which are measured from what it leaves
+    PreparedSoup prepared(soup, job);
+    static_cast<SoupOptions&>(job) = prepared.options();
+    SoupResult result = calibrated_soup(prepared.view(), job);
+    prepared.restore(result);
+    return result;
+  }
   const auto surface_of = [](const auto& of) {
     return checked_surface("quadrille::calibrated", of.points, of.triangles);
   };

@@ -120,6 +120,7 @@ void run(quadrille_call& call, const SimplifyJob& simplify) {
     set_maps(call, soup.view(), levels);
   call.vertex_map.assign(call.result.vertex_map.begin(), call.result.vertex_map.end());
   call.result.vertex_map.clear();
+  call.result.prepared = {};
 }
 
 } // namespace

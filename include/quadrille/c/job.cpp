@@ -41,8 +41,11 @@ void check_star_placement(const SoupJob& job) {
 
 } // namespace
 
-SoupResult simplified_by_job(const SoupView& soup, const SoupJob& job) {
-  require_one_engine(job);
+SoupResult simplified_by_job(const SoupView& soup, const SoupJob& given) {
+  require_one_engine(given);
+  SoupJob job = given;
+  if (job.recorder)
+    static_cast<SoupOptions&>(job) = options_of_levels(given, soup);
   if (job.cost_function)
     return soup_by_cost(soup, job, job.cost_function);
   if (job.calibrated)

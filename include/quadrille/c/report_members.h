@@ -10,16 +10,25 @@
 
 namespace quadrille::internal {
 
+template <class Visit>
+void visit_each(const Visit&) {}
+/// Calls visit(name, member) for each pair of arguments.
+template <class Visit, class Member, class... Rest>
+void visit_each(const Visit& visit, const char* name, const Member& member, const Rest&... rest) {
+  visit(name, member);
+  visit_each(visit, rest...);
+}
+
 /// Calls visit(name, member) for all members of a report. A new member does not compile here.
 template <class Visit>
 void visit_members(const Report& report, const Visit& visit) {
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
                vanished_components, largest_vanished_component, cut_handles, split_components,
-               kept_planes, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
-               doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
-               used_tolerance, volume_before, volume_after, self_intersections,
-               normal_bound_degrees, rejections, seconds] = report;
+               cut_distance, split_vertices, split_edges, kept_planes, non_manifold_edges,
+               non_manifold_vertices, duplicated_vertices, doubled_faces, doubled_labels, stop,
+               error, distance_bound, hausdorff_bound, used_tolerance, volume_before, volume_after,
+               self_intersections, normal_bound_degrees, rejections, seconds] = report;
   visit("faces_before", faces_before);
   visit("counted_faces", counted_faces);
   visit("faces_after", faces_after);
@@ -31,12 +40,12 @@ void visit_members(const Report& report, const Visit& visit) {
   visit("components_after", components_after);
   visit("vanished_components", vanished_components);
   visit("largest_vanished_component", largest_vanished_component);
-  visit("cut_handles", cut_handles);
-  visit("split_components", split_components);
+  visit_each(visit, "cut_handles", cut_handles, "split_components", split_components,
+             "cut_distance", cut_distance);
+  visit_each(visit, "split_vertices", split_vertices, "split_edges", split_edges);
   visit("kept_planes", kept_planes);
-  visit("non_manifold_edges", non_manifold_edges);
-  visit("non_manifold_vertices", non_manifold_vertices);
-  visit("duplicated_vertices", duplicated_vertices);
+  visit_each(visit, "non_manifold_edges", non_manifold_edges, "non_manifold_vertices",
+             non_manifold_vertices, "duplicated_vertices", duplicated_vertices);
   visit("doubled_faces", doubled_faces);
   visit("doubled_labels", doubled_labels);
   visit("stop", stop);

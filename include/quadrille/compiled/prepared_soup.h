@@ -2,6 +2,7 @@
 #define QUADRILLE_COMPILED_PREPARED_SOUP_H
 
 #include <quadrille/compiled.h>
+#include <quadrille/compiled/prepared_channel.h>
 #include <quadrille/cut_handles.h>
 #include <quadrille/manifold.h>
 
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -24,48 +26,57 @@ inline bool has_preparation(const SoupOptions& options) {
   return options.manifold || options.simplified_topology;
 }
 
-/// A soup that has been prepared, with all that its points and triangles have. An added point has
-/// what the first of those has from which it comes; an added triangle what that has which is next
-/// to it.
+/// A soup that has been prepared, with all that its points and triangles have. A point in the
+/// middle of others lies between them in what it has; a copy has what its original has; an added
+/// triangle is as the one next to it.
 class PreparedSoup {
 public:
   PreparedSoup(const SoupView& soup, const SoupOptions& options)
       : soup_(soup), options_(options), points_(soup.points.begin(), soup.points.end()),
-        triangles_(soup.triangles.begin(), soup.triangles.end()) {
+        triangles_(soup.triangles.begin(), soup.triangles.end()), sources_(triangles_.size()),
+        channels_(soup.channels.begin(), soup.channels.end()) {
     validate();
+    std::iota(sources_.begin(), sources_.end(), std::size_t{0});
     if (options.manifold)
-      follow(make_manifold(points_, triangles_));
+      make_sheets();
     if (options.simplified_topology)
       cut();
-    give_values();
+    for (const std::size_t source : sources_) {
+      if (!soup.labels.empty())
+        labels_.push_back(soup.labels[source]);
+      if (!options.selected.empty())
+        selected_.push_back(options.selected[source]);
+    }
+    options_.selected = std::move(selected_);
     options_.manifold = false;
     options_.simplified_topology.reset();
   }
 
   /// A view of this object's arrays.
   SoupView view() const {
-    SoupView view{points_, triangles_, labels_, soup_.channels};
-    for (std::size_t i = 0; i < view.channels.size(); ++i) {
-      view.channels[i].values = channels_[i].values;
-      view.channels[i].triangles = channels_[i].triangles;
-    }
+    SoupView view{points_, triangles_, labels_, {}};
+    for (const PreparedChannel& channel : channels_)
+      view.channels.push_back(channel.view());
     return view;
   }
   const SoupOptions& options() const { return options_; }
 
-  /// Makes a result one of the soup as it was.
-  void restore(SoupResult& result) const {
-    if (!sources_.empty())
-      for (std::uint32_t& face : result.input_faces)
-        face = static_cast<std::uint32_t>(sources_[face]);
-    if (!result.vertex_map.empty())
-      result.vertex_map.resize(soup_.points.size());
+  /// Makes a result one of the soup as it was. To be called once, at the end.
+  void restore(SoupResult& result) {
+    for (std::uint32_t& face : result.input_faces)
+      face = static_cast<std::uint32_t>(sources_[face]);
     Report& report = result.report;
     report.vertices_before -= points_.size() - soup_.points.size();
-    report.faces_before -= triangles_.size() - soup_.triangles.size();
+    report.faces_before = soup_.triangles.size();
     report.cut_handles = handles_.cut_handles;
     report.split_components = handles_.split_components;
     report.components_before -= handles_.split_components;
+    report.cut_distance = handles_.distance;
+    report.split_vertices = sheets_.split_vertices;
+    report.split_edges = sheets_.split_edges;
+    result.prepared = {std::move(points_), std::move(triangles_), std::move(roots_),
+                       result.vertex_map};
+    result.vertex_map.resize(soup_.points.size());
   }
 
 private:
@@ -77,102 +88,75 @@ private:
                         "and triangles: they do not go with ") +
             with);
     };
-    reject_if(options_.split_vertices, "split_vertices, which joins points that they part");
-    reject_if(options_.recorder.has_value(), "a recorder, which is given the points of the input");
     reject_if(options_.topology == Topology::free || options_.pairs_closer_than,
               "free topology or pairs, which join sheets that they part");
+    reject_if(options_.simplified_topology && options_.keep_solid,
+              "keep_solid: both sides of a cut touch, which a solid does not");
+  }
+
+  void make_sheets() {
+    const SoupTriangles before = triangles_;
+    const std::size_t points_before = points_.size();
+    sheets_ = make_manifold(points_, triangles_);
+    for (PreparedChannel& channel : channels_)
+      channel.follow(sheets_, points_before, before, triangles_);
+    follow(sheets_);
   }
 
   // Nothing is cut at fixed points, and where a triangle is not selected.
   void cut() {
     std::vector<bool> is_kept(points_.size(), false);
     for (std::size_t v = 0; v < points_.size(); ++v)
-      is_kept[v] = (!options_.fixed.empty() && options_.fixed[root(v)]) ||
-                   (!options_.shared.empty() && options_.shared[root(v)]);
+      is_kept[v] = (!options_.fixed.empty() && options_.fixed[v]) ||
+                   (!options_.shared.empty() && options_.shared[v]);
     for (std::size_t face = 0; face < triangles_.size() && !options_.selected.empty(); ++face)
-      if (!options_.selected[source(face)])
+      if (!options_.selected[sources_[face]])
         for (const std::uint32_t v : triangles_[face])
           is_kept[v] = true;
-    handles_ = cut_handles(points_, triangles_, *options_.simplified_topology, is_kept,
-                           options_.threads);
+    const std::size_t points_before = points_.size();
+    handles_ =
+        cut_handles(points_, triangles_, *options_.simplified_topology, is_kept, options_.threads);
+    const CutCaps caps(handles_, points_before, triangles_);
+    for (PreparedChannel& channel : channels_)
+      channel.follow(caps);
     follow(handles_);
   }
 
   void follow(const auto& changes) {
-    for (const auto& origin : changes.origins)
-      roots_.push_back(root(origin.front()));
+    for (const std::array<std::size_t, 2>& ends : changes.origins) {
+      roots_.push_back(root(ends[0]));
+      const auto append = [&](auto& values, auto between) {
+        if (!values.empty())
+          values.push_back(between(values[ends[0]], values[ends[1]]));
+      };
+      const auto are_both = [](bool of_a, bool of_b) { return of_a && of_b; };
+      append(options_.fixed, are_both);
+      append(options_.shared, are_both);
+      append(options_.importance, [](double of_a, double of_b) { return (of_a + of_b) / 2; });
+      append(options_.tolerance, [](double of_a, double of_b) { return (std::min)(of_a, of_b); });
+    }
     std::vector<std::size_t> sources;
     for (const std::size_t triangle : changes.triangles)
-      sources.push_back(source(triangle));
+      sources.push_back(sources_[triangle]);
     sources_ = std::move(sources);
   }
   // The point of the input from which one comes first.
-  std::size_t root(std::size_t point) const {
-    return point < soup_.points.size() ? point : roots_[point - soup_.points.size()];
-  }
-  std::size_t source(std::size_t triangle) const {
-    return sources_.empty() ? triangle : sources_[triangle];
-  }
-
-  void give_values() {
-    for (auto* values : {&options_.fixed, &options_.shared})
-      add_points(*values);
-    for (auto* values : {&options_.importance, &options_.tolerance})
-      add_points(*values);
-    if (!options_.selected.empty()) {
-      std::vector<bool> selected;
-      for (const std::size_t source : sources_)
-        selected.push_back(options_.selected[source]);
-      options_.selected = std::move(selected);
-    }
-    for (std::size_t face = 0; face < triangles_.size() && !soup_.labels.empty(); ++face)
-      labels_.push_back(soup_.labels[source(face)]);
-    for (const SoupChannelView& channel : soup_.channels)
-      channels_.push_back(prepared(channel));
-  }
-  template <class Value>
-  void add_points(std::vector<Value>& values) const {
-    if (values.empty())
-      return;
-    for (const std::size_t point : roots_)
-      values.push_back(static_cast<Value>(values[point]));
-  }
-
-  SoupChannel prepared(const SoupChannelView& channel) const {
-    SoupChannel result{channel.components, {channel.values.begin(), channel.values.end()}, {}};
-    if (channel.triangles.empty()) {
-      for (const std::size_t point : roots_)
-        for (std::size_t k = 0; k < channel.components; ++k)
-          result.values.push_back(channel.values[point * channel.components + k]);
-      return result;
-    }
-    for (std::size_t face = 0; face < triangles_.size(); ++face) {
-      std::array<std::uint32_t, 3>& values = result.triangles.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i)
-        values[i] = channel.triangles[source(face)][corner(face, i)];
-    }
-    return result;
-  }
-  // The corner of its source at which a corner of a triangle is, or else at which the next one is.
-  std::size_t corner(std::size_t face, std::size_t i) const {
-    const auto& of_source = soup_.triangles[source(face)];
-    for (std::size_t k = i; k < i + 3; ++k) {
-      const auto at = std::find(of_source.begin(), of_source.end(), root(triangles_[face][k % 3]));
-      if (at != of_source.end())
-        return static_cast<std::size_t>(at - of_source.begin());
-    }
-    return i;
+  std::uint32_t root(std::size_t point) const {
+    return point < soup_.points.size() ? static_cast<std::uint32_t>(point)
+                                       : roots_[point - soup_.points.size()];
   }
 
   const SoupView& soup_;
   SoupOptions options_;
   SoupPoints points_;
   SoupTriangles triangles_;
+  ManifoldChanges sheets_;
   HandleChanges handles_;
-  std::vector<std::size_t> roots_;   // of added points
-  std::vector<std::size_t> sources_; // of all triangles; empty if they are as they were
+  std::vector<std::uint32_t> roots_; // of added points
+  std::vector<std::size_t> sources_; // of all triangles
   std::vector<std::uint32_t> labels_;
-  std::vector<SoupChannel> channels_;
+  std::vector<bool> selected_;
+  std::vector<PreparedChannel> channels_;
 };
 
 } // namespace quadrille::internal

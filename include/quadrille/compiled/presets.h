@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string_view>
 
 /// \file
@@ -49,8 +50,7 @@ inline double mean_edge_length(const SoupView& soup) {
 
 /// Does the call have anything that does not go with the preparations of a preset?
 inline bool excludes_preparations(const SoupOptions& options) {
-  return options.split_vertices || options.recorder || options.pairs_closer_than ||
-         options.topology == Topology::free;
+  return options.pairs_closer_than || options.topology == Topology::free;
 }
 
 /// Returns options with those of their preset in the place of defaults. What does not go with an
@@ -72,9 +72,26 @@ inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
     options.line_weight = given.line_weight;
     options.position_noise = given.position_noise;
   }
+  if (given.keep_solid) {
+    options.simplified_topology = given.simplified_topology;
+    options.topology = given.topology;
+  }
   if (edge == 0)
     options.voxel_size = given.voxel_size;
   options.preset.reset();
+  return options;
+}
+
+/// Returns the options of a call whose levels are to have the indices of the input: a preset then
+/// adds no points. Throws std::invalid_argument for preparations, which do.
+inline SoupOptions options_of_levels(const SoupOptions& given, const SoupView& soup) {
+  if (given.manifold || given.simplified_topology)
+    throw std::invalid_argument(
+        "manifold and simplified_topology add points and triangles: they do not go with levels or "
+        "maps, which have the indices of the input");
+  SoupOptions options = given.preset ? with_preset(given, soup) : given;
+  options.manifold = false;
+  options.simplified_topology.reset();
   return options;
 }
 

@@ -2,6 +2,7 @@
 #define QUADRILLE_WITH_COMPILED
 
 #include <quadrille/compiled.h>
+#include <quadrille/compiled/joined_soup.h>
 #include <quadrille/compiled/prepared_soup.h>
 #include <quadrille/compiled/presets.h>
 #include <quadrille/compiled/run_soup.h>
@@ -114,6 +115,20 @@ SoupChannel unchanged_channel(const SoupChannelView& channel, bool has_values) {
           {channel.triangles.begin(), channel.triangles.end()}};
 }
 
+SoupResult run_prepared(const SoupView& soup, const SoupOptions& options,
+                        const std::function<Report(SoupRun&)>& simplify) {
+  if (options.split_vertices) {
+    const internal::JoinedSoup joined(soup, options);
+    SoupResult result = run_prepared(joined.view(), joined.options(), simplify);
+    joined.restore(result);
+    return result;
+  }
+  internal::PreparedSoup prepared(soup, options);
+  SoupResult result = internal::run_soup(prepared.view(), prepared.options(), simplify);
+  prepared.restore(result);
+  return result;
+}
+
 } // namespace
 
 SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
@@ -121,12 +136,8 @@ SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
   if (options.preset)
     return run_soup(soup, internal::with_preset(options, soup), simplify);
   validate_call(soup, options);
-  if (internal::has_preparation(options)) {
-    const internal::PreparedSoup prepared(soup, options);
-    SoupResult result = run_soup(prepared.view(), prepared.options(), simplify);
-    prepared.restore(result);
-    return result;
-  }
+  if (internal::has_preparation(options))
+    return run_prepared(soup, options, simplify);
   const bool has_values = !soup.triangles.empty();
   const SoupView bare{soup.points, soup.triangles, {}, {}};
   SoupRun run{has_values ? soup : bare,

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,11 +47,15 @@ inline bool needs_channels(const IndexedMesh& mesh) {
 
 /// Fits the numbers of a mesh that needs no channels to the vertices and faces that are left.
 inline void resize_constants(IndexedMesh& mesh) {
-  mesh.parts.of_faces.resize(std::min(mesh.parts.of_faces.size(), mesh.triangles.size()));
+  const auto resize = [](auto& values, std::size_t count) {
+    if (!values.empty())
+      values.assign(count, std::remove_cvref_t<decltype(values.front())>(values.front()));
+  };
+  resize(mesh.parts.of_faces, mesh.triangles.size());
   for (NamedNumbers& numbers : mesh.vertex_numbers)
-    numbers.values.resize(mesh.points.size());
+    resize(numbers.values, mesh.points.size());
   for (NamedNumbers& numbers : mesh.face_numbers)
-    numbers.values.resize(mesh.triangles.size());
+    resize(numbers.values, mesh.triangles.size());
 }
 
 /// A mesh on its way through `quadrille::simplified_soup`, with what its vertices, its corners and
@@ -66,10 +71,10 @@ public:
   }
 
   /// The channels are textures, normals, colours, numbers and the charts of seams of vertices, in
-  /// this order, as far as there are any. `image`, if there is one, becomes what
-  /// SoupResult::vertex_map is.
+  /// this order, as far as there are any. `begun`, if there is one, becomes what
+  /// begun_surface() is.
   quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices,
-                             std::vector<std::size_t>* vertex_map = nullptr) {
+                             quadrille::PreparedSurface* begun = nullptr) {
     const quadrille::SoupPoints points = soup_points(mesh_.points);
     const std::vector<Channel> channels = this->channels(choices);
     quadrille::SoupView soup{points, mesh_.triangles, labels_, {}};
@@ -77,8 +82,9 @@ public:
       soup.channels.push_back(channel.view);
     quadrille::SoupResult result = quadrille::simplified_soup(soup, options);
     const bool are_inputs = options.placement == quadrille::SoupOptions::Placement::endpoint;
+    const std::vector<std::uint32_t> nearest = quadrille_examples::nearest_inputs(points, result);
     if (are_inputs && !patches_) // each point that is left is the nearest of those that became it
-      take_inputs(quadrille_examples::nearest_vertices(points, result.vertex_map, result.points));
+      take_inputs(nearest);
     for (std::size_t i = 0; i < channels.size(); ++i)
       channels[i].take(std::move(result.channels[i]));
     mesh_.points = mesh_points(result.points);
@@ -90,11 +96,11 @@ public:
         mesh_.colors = colors_.of_points(mesh_);
         mesh_.texture_coordinates = textures_.of_points(mesh_);
       }
-      numbers_.restore(mesh_, result.vertex_map);
+      numbers_.restore(mesh_, nearest);
     }
     take_faces(mesh_, result.input_faces);
-    if (vertex_map)
-      *vertex_map = std::move(result.vertex_map);
+    if (begun)
+      *begun = begun_surface(result);
     return result.report;
   }
 

@@ -31,6 +31,15 @@ inline std::vector<Point> mesh_points(const quadrille::SoupPoints& points) {
   return result;
 }
 
+/// Takes the surface with which a run has begun from its result: without points and triangles, if
+/// it is the input.
+inline quadrille::PreparedSurface begun_surface(quadrille::SoupResult& result) {
+  quadrille::PreparedSurface begun = std::move(result.prepared);
+  if (begun.points.empty())
+    begun.vertex_map = std::move(result.vertex_map);
+  return begun;
+}
+
 /// A channel of values of corners, which it looks at.
 template <std::size_t N>
 quadrille::SoupChannelView view_of(const CornerValues<N>& corners,

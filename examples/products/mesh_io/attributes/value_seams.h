@@ -40,6 +40,7 @@ public:
                                                     const std::vector<std::uint32_t>& faces) {
     std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> numbers; // points, patches
     std::vector<Point> places;
+    std::vector<std::uint32_t> fallbacks; // of places that no old value has become
     std::vector<std::array<std::uint32_t, 3>> result;
     for (std::size_t face = 0; face < left.triangles.size(); ++face) {
       result.emplace_back();
@@ -48,8 +49,10 @@ public:
         const auto next = static_cast<std::uint32_t>(places.size());
         const auto [place, is_new] =
             numbers.try_emplace({point, patch(values_[faces[face]][i])}, next);
-        if (is_new)
+        if (is_new) {
           places.push_back(left.points[point]);
+          fallbacks.push_back(values_[faces[face]][i]);
+        }
         result.back()[i] = place->second;
       }
     }
@@ -58,7 +61,8 @@ public:
       const auto found = numbers.find({images[points_[value]], patch(value)});
       image_of_values.push_back(found == numbers.end() ? places.size() : found->second);
     }
-    const std::vector<std::uint32_t> nearest = nearest_vertices(places_, image_of_values, places);
+    const std::vector<std::uint32_t> nearest =
+        nearest_vertices(places_, image_of_values, places, fallbacks);
     for (auto& corners : result)
       for (std::uint32_t& corner : corners)
         corner = nearest[corner];

@@ -3,7 +3,6 @@
 
 #include "../mesh/indexed_mesh.h"
 #include "../mesh/named_numbers.h"
-#include "nearest_vertices.h"
 
 #include <algorithm>
 #include <array>
@@ -92,7 +91,7 @@ private:
 class VertexNumbers {
 public:
   explicit VertexNumbers(const IndexedMesh& mesh)
-      : points_(mesh.points), old_(mesh.vertex_numbers), channel_of_(old_.size()) {
+      : old_(mesh.vertex_numbers), channel_of_(old_.size()) {
     for (std::size_t i = 0; i < old_.size() && channels_.size() < most_channels; ++i)
       if (is_smooth(old_[i])) {
         channel_of_[i] = channels_.size();
@@ -105,10 +104,9 @@ public:
 
   std::vector<VertexValues<1>>& channels() { return channels_; }
 
-  /// Gives the points of a mesh that are left their numbers; `images` tells which one each has
-  /// become.
-  void restore(IndexedMesh& mesh, const std::vector<std::size_t>& images) const {
-    const std::vector<std::uint32_t> nearest = nearest_vertices(points_, images, mesh.points);
+  /// Gives the points of a mesh that are left their numbers; `nearest` is the old point of each
+  /// that those get which are no channels.
+  void restore(IndexedMesh& mesh, const std::vector<std::uint32_t>& nearest) const {
     for (std::size_t k = 0; k < old_.size(); ++k) {
       std::vector<double>& values = mesh.vertex_numbers[k].values;
       values.clear();
@@ -168,7 +166,6 @@ private:
     return nearest_of(old_[k].type, std::clamp(value, low, high));
   }
 
-  std::vector<Point> points_; // as they were
   std::vector<NamedNumbers> old_;
   std::vector<VertexValues<1>> channels_;
   std::vector<std::pair<double, double>> ranges_;      // of these

@@ -168,6 +168,22 @@ private:
     for (const std::uint32_t number : numbers_[s])
       rest.image.push_back(local(result.vertex_map[number]));
     rest.points = places_of(s, left, rest.image, result);
+    const quadrille::PreparedSurface& prepared = result.prepared;
+    if (prepared.origins.empty())
+      return rest;
+    rest.origins.resize(left.size());
+    std::vector<std::uint32_t> of_numbers(points_.size(), none); // the points of the surface
+    for (std::uint32_t v = 0; v < numbers_[s].size(); ++v)
+      of_numbers[numbers_[s][v]] = v;
+    for (std::size_t i = 0; i < prepared.origins.size(); ++i) {
+      const std::uint32_t v = of_numbers[prepared.origins[i]];
+      const std::size_t image = local(prepared.vertex_map[points_.size() + i]);
+      if (v == none || image >= left.size())
+        continue;
+      rest.origins[image] = v;
+      if (result.points[left[image]] == points_[numbers_[s][v]]) // a copy that has not moved
+        rest.points[image] = surfaces_[s].points[v];
+    }
     return rest;
   }
 

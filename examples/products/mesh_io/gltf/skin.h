@@ -81,14 +81,15 @@ public:
     return result;
   }
 
-  /// Turns to the points that are left; `triangles` are of those before.
+  /// Turns to the points that are left; `triangles` are of those before. `fallbacks` are points
+  /// before, for those left that none of them has become; or empty.
   template <class Point>
   void follow(const std::vector<GltfPrimitive>& primitives, const std::vector<Point>& before,
               const std::vector<Triangle>& triangles, const std::vector<std::size_t>& images,
-              const std::vector<Point>& left) {
+              const std::vector<Point>& left, const std::vector<std::uint32_t>& fallbacks) {
     if (sources_.empty())
       return;
-    const std::vector<std::uint32_t> nearest = nearest_vertices(before, images, left);
+    const std::vector<std::uint32_t> nearest = nearest_vertices(before, images, left, fallbacks);
     const std::vector<Place> places = nearest_places(before, triangles, images, left);
     std::vector<Source> sources;
     for (std::size_t i = 0; i < left.size(); ++i) {

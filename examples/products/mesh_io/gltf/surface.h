@@ -123,9 +123,11 @@ public:
     std::vector<std::uint32_t> labels;          ///< of the triangles
     std::vector<quadrille::SoupChannel> values; ///< of channels()
     std::vector<std::size_t> image;             ///< of each point; others than those left: none
+    std::vector<std::uint32_t> origins; ///< of points left that none has become: one from which
+                                        ///< each comes; of all others anything; or empty
   };
   void take(Rest rest) {
-    skin_.follow(primitives_, points, triangles, rest.image, rest.points);
+    skin_.follow(primitives_, points, triangles, rest.image, rest.points, rest.origins);
     points = std::move(rest.points);
     triangles = std::move(rest.triangles);
     label_of_ = std::move(rest.labels);

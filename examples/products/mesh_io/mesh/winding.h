@@ -46,6 +46,8 @@ public:
   std::size_t pieces() const { return piece_count_; }
   /// How many edges have more than two faces.
   std::size_t crowded_edges() const { return crowded_edges_; }
+  /// How many edges have one face.
+  std::size_t open_edges() const { return open_edges_; }
 
   /// Turns those faces, with what their corners have.
   void turn(IndexedMesh& mesh) const {
@@ -100,6 +102,7 @@ private:
       if (next - begin == 2)
         join(begin[0], begin[1]);
       crowded_edges_ += next - begin > 2;
+      open_edges_ += next - begin == 1;
     }
   }
 
@@ -136,7 +139,7 @@ private:
   quadrille::internal::OrientedComponents pieces_;
   std::vector<std::uint32_t> contradictions_; // a face of a piece of one side, for each
   std::vector<bool> is_against_;
-  std::size_t one_sided_ = 0, piece_count_ = 0, crowded_edges_ = 0;
+  std::size_t one_sided_ = 0, piece_count_ = 0, crowded_edges_ = 0, open_edges_ = 0;
 };
 
 } // namespace quadrille_examples

@@ -142,9 +142,9 @@ class Contraction(CContraction):
 
 _COUNTS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "vertices_after", "contractions",
            "non_edge_contractions", "components_before", "components_after", "vanished_components", "cut_handles",
-           "split_components", "kept_planes", "non_manifold_edges", "non_manifold_vertices", "duplicated_vertices",
-           "doubled_faces", "doubled_labels")
-_REALS = ("largest_vanished_component", "error")
+           "split_components", "split_vertices", "split_edges", "kept_planes", "non_manifold_edges",
+           "non_manifold_vertices", "duplicated_vertices", "doubled_faces", "doubled_labels")
+_REALS = ("largest_vanished_component", "cut_distance", "error")
 _BOUNDS = ("distance_bound", "hausdorff_bound")  # infinite where JSON has null
 _UNKNOWN = ("volume_before", "volume_after", "normal_bound_degrees")  # or a number
 _STAGES = ("read", "prepare", "contract", "write")
@@ -153,10 +153,11 @@ _CAUSES = ("topology", "constraint", "normal flip", "shape", "degree", "distance
            "texture", "hull", "volume", "filter", "self-intersection", "normal deviation", "chord")
 _MEMBERS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "vertices_after", "contractions",
             "non_edge_contractions", "components_before", "components_after", "vanished_components",
-            "largest_vanished_component", "cut_handles", "split_components", "kept_planes", "non_manifold_edges",
-            "non_manifold_vertices", "duplicated_vertices", "doubled_faces", "doubled_labels", "stop",
-            "is_target_reached", "error", "distance_bound", "hausdorff_bound", "used_tolerance", "volume_before",
-            "volume_after", "self_intersections", "normal_bound_degrees", "rejections", "seconds")
+            "largest_vanished_component", "cut_handles", "split_components", "cut_distance", "split_vertices",
+            "split_edges", "kept_planes", "non_manifold_edges", "non_manifold_vertices", "duplicated_vertices",
+            "doubled_faces", "doubled_labels", "stop", "is_target_reached", "error", "distance_bound",
+            "hausdorff_bound", "used_tolerance", "volume_before", "volume_after", "self_intersections",
+            "normal_bound_degrees", "rejections", "seconds")
 
 
 class Report:
@@ -270,6 +271,9 @@ def _line_of(r: Report) -> str:
         lambda: f"{r.vanished_components} components vanished, of sizes up to {r.largest_vanished_component:g}")
     add(r.cut_handles, lambda: f"{r.cut_handles} handles cut")
     add(r.split_components, lambda: f"{r.split_components} components cut in two")
+    add(r.cut_distance, lambda: f"cuts closed within {r.cut_distance:g} of the input")
+    add(r.split_vertices, lambda: f"{r.split_vertices} vertices split")
+    add(r.split_edges, lambda: f"{r.split_edges} edges split")
     add(r.kept_planes, lambda: f"{r.kept_planes} plane regions kept")
     add(r.non_manifold_edges + r.non_manifold_vertices,
         lambda: f"{r.non_manifold_edges} non-manifold edges, {r.non_manifold_vertices} non-manifold vertices")
