@@ -48,6 +48,35 @@ test("arrays come back in the types in which they went in, and are not changed",
   assert.ok(result.vertexMap.every((point) => point >= -1 && point < result.positions.length / 3));
 });
 
+// A plate of cubes with a tunnel of one square, of points for each square.
+function plate() {
+  const isFull = (x, y, z) => x >= 0 && x < 9 && y >= 0 && y < 7 && z >= 0 && z < 3 && !(x === 4 && y === 3);
+  const positions = [], indices = [];
+  for (let x = 0; x < 9; ++x) for (let y = 0; y < 7; ++y) for (let z = 0; z < 3; ++z)
+    for (let side = 0; side < 6 && isFull(x, y, z); ++side) {
+      const axis = side >> 1, beyond = side & 1, place = [x, y, z];
+      if (isFull(...place.map((c, k) => (k === axis ? c + 2 * beyond - 1 : c)))) continue;
+      const first = positions.length / 3;
+      for (const [u, v] of [[0, 0], [1, 0], [1, 1], [0, 1]])
+        for (let k = 0; k < 3; ++k) positions.push(place[k] + (k === axis ? beyond : k === (axis + 1) % 3 ? u : v));
+      for (const t of [[0, 1, 2], [0, 2, 3]]) indices.push(...(beyond ? t : t.reverse()).map((corner) => first + corner));
+    }
+  return { positions: Float32Array.from(positions), indices: Uint32Array.from(indices) };
+}
+
+test("a preset stands for options that are not given", () => {
+  const options = { faces: 100, splitVertices: true };
+  const { report } = quadrille.simplify(plate(), { ...options, preset: "generated" });
+  assert.deepEqual([report.facesAfter, report.cutHandles, report.cutDistance], [100, 1, 0.5]);
+  assert.equal(quadrille.simplify(plate(), options).report.cutHandles, 0);
+  assert.equal(quadrille.simplify(plate(), { ...options, preset: "generated", simplifiedTopology: 0.1 }).report.cutHandles, 0);
+  assert.throws(() => quadrille.simplify(plate(), { preset: "film" }), /preset is "film", which is not one of generated, scan/);
+  const levels = new quadrille.Levels(); // have the indices of the input, so nothing is added to it
+  assert.equal(quadrille.simplify(plate(), { ...options, preset: "generated", levels }).report.cutHandles, 0);
+  assert.throws(() => quadrille.simplify(plate(), { ...options, manifold: true, levels }), /do not go with levels/);
+  levels.free();
+});
+
 test("points at one place are one, and there are no images of them then", () => {
   const n = 17; // of each corner a point: 1,536 of them, of which few are at one place
   const { positions, indices } = sheet(n);

@@ -2,6 +2,7 @@
 #define QUADRILLE_EXAMPLES_WEB_CALL_H
 
 #include <quadrille/compiled.h>
+#include <quadrille/compiled/presets.h>
 #include <quadrille/levels.h>
 
 #include <array>
@@ -54,9 +55,12 @@ struct Call {
           {channel.kind, channel.components, channel.values, channel.triangles, channel.options});
     options.fixed.assign(fixed.begin(), fixed.end());
     options.selected.assign(selected.begin(), selected.end());
-    if (levels)
+    if (levels) {
+      options = quadrille::internal::options_of_levels(options, soup);
       options.recorder = quadrille::record_into(*levels);
+    }
     result = quadrille::simplified_soup(soup, options);
+    result.prepared = {};
   }
 
   /// Does what may throw, and tells whether it has not; else `text` says what was wrong.

@@ -39,6 +39,9 @@ inline std::string json_of(const quadrille::Report& report) {
   json.add("componentsBefore", report.components_before);
   json.add("componentsAfter", report.components_after);
   json.add("vanishedComponents", report.vanished_components);
+  json.add("cutHandles", report.cut_handles);
+  json.add("splitComponents", report.split_components);
+  json.add("cutDistance", report.cut_distance);
   json.add("largestVanishedComponent", report.largest_vanished_component);
   json.add("nonManifoldEdges", report.non_manifold_edges);
   json.add("nonManifoldVertices", report.non_manifold_vertices);

@@ -67,6 +67,12 @@ export interface Report {
   componentsBefore: number;
   componentsAfter: number;
   vanishedComponents: number;
+  /** Handles and tunnels that were cut first, with `simplifiedTopology`. */
+  cutHandles: number;
+  /** Components that were cut in two by that. */
+  splitComponents: number;
+  /** No point of the triangles that close these cuts is further than this from the input. Other distances are from the surface after the cuts. */
+  cutDistance: number;
   /** The diagonal of the bounding box of the largest removed component. */
   largestVanishedComponent: number;
   nonManifoldEdges: number;
