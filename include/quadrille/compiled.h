@@ -134,6 +134,9 @@ struct SoupOptions {
   std::optional<Topology> topology = std::nullopt;    ///< kept, or by default free with pairs
   /// The soup is cut into manifold sheets first: see make_manifold().
   bool manifold = false;
+  /// Components are joined across gaps up to a size, once the soup is manifold: see join_gaps().
+  /// Limits and guards hold for the surface after that.
+  std::optional<double> join_gaps = {};
   /// Tunnels and handles up to a size are cut first: see cut_handles(). Limits and guards hold for
   /// the surface after the cuts: see Report::cut_distance.
   std::optional<double> simplified_topology = {};
@@ -222,9 +225,9 @@ struct SoupChannel {
   SoupTriangles triangles;    ///< for each triangle, the values of its corners; or empty
 };
 
-/// The surface that SoupOptions::manifold and SoupOptions::simplified_topology make of a soup. Its
-/// points come first, and added points behind them; triangles that close cuts come behind the
-/// others.
+/// The surface that SoupOptions::manifold, join_gaps and simplified_topology make of a soup. Its
+/// points come first, and added points behind them; triangles of bridges, and then those that close
+/// cuts, come behind the others.
 struct PreparedSurface {
   SoupPoints points;       ///< empty if there was no preparation
   SoupTriangles triangles; ///< the triangles with which the run begins

@@ -155,6 +155,10 @@ struct Report {
   /// The size of the largest removed component: the diagonal of its bounding box, in the mesh's
   /// units.
   double largest_vanished_component = 0;
+  /// Gaps across which components were joined before: see SoupOptions::join_gaps. Each is one
+  /// component less.
+  std::size_t joined_gaps = 0;
+  std::size_t open_gaps = 0; ///< gaps that could not be joined: see GapChanges::open_gaps
   /// Handles and tunnels that were cut before: see SoupOptions::simplified_topology. The genus of
   /// the surface, that of all its components together, is by this number less.
   std::size_t cut_handles = 0;
@@ -264,6 +268,10 @@ inline void print_lost_components(std::ostream& out, const Report& report) {
   if (report.vanished_components > 0)
     out << ", " << report.vanished_components << " components vanished, of sizes up to "
         << report.largest_vanished_component;
+  if (report.joined_gaps > 0)
+    out << ", " << report.joined_gaps << " gaps joined";
+  if (report.open_gaps > 0)
+    out << ", " << report.open_gaps << " gaps left open";
   if (report.cut_handles > 0)
     out << ", " << report.cut_handles << " handles cut";
   if (report.split_components > 0)

@@ -180,6 +180,12 @@ inline void require_consistency(const Options& options) {
                 (soup.topology == quadrille::Topology::free || options.joins_pairs()),
             "--drop-parts does not go with --topology free or --pairs: it keeps the rest of the "
             "topology");
+  reject_if(options.joins_gaps() && topology(options) == quadrille::Topology::free,
+            "--join-gaps does not go with --topology free or --pairs: it keeps the rest of the "
+            "topology");
+  reject_if(options.joins_gaps() && (options.promises() || !options.record.empty()),
+            "--join-gaps does not go with --error, --tolerance, --no-self-intersection, --solid, "
+            "--normals or --record: faces at a gap that is filled are not in OUT");
   reject_if(options.cuts_handles() && topology(options) == quadrille::Topology::free,
             "--cut-handles does not go with --topology free or --pairs: it keeps the rest of "
             "the topology");

@@ -75,6 +75,7 @@ struct Options {
            soup.weighting != quadrille::Weighting::by_area;
   }
   bool joins_pairs() const { return has_length("pairs_closer_than"); }
+  bool joins_gaps() const { return has_length("join_gaps"); }
   bool cuts_handles() const { return has_length("simplified_topology"); }
   bool is_relaxed() const { return soup.order == quadrille::SoupOptions::Order::relaxed; }
   /// Is anything asked for that OUT is to keep?

@@ -28,6 +28,9 @@ inline constexpr NotByChunks not_by_chunks[] = {
      "alone also keeps the limit"},
     {"--orient", "a chunk does not know the orientation of the others"},
     {"--pairs", "pairs that are not edges may lie in different chunks"},
+    {"--join-gaps",
+     "a gap may lie between several chunks; simplify out of core to what fits into memory first, "
+     "and then OUT with --join-gaps"},
     {"--cut-handles",
      "a handle may lie in several chunks; simplify out of core to what fits into memory first, and "
      "then OUT with --cut-handles"},

@@ -106,6 +106,10 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", " + vanished_text(report, outcome.diagonal);
   if (report.kept_planes > 0)
     text += ", " + counted(report.kept_planes, "plane region") + " kept";
+  if (report.joined_gaps > 0)
+    text += ", " + counted(report.joined_gaps, "gap") + " joined";
+  if (report.open_gaps > 0)
+    text += ", " + counted(report.open_gaps, "gap") + " left open";
   if (report.cut_handles > 0)
     text += ", " + counted(report.cut_handles, "handle") + " cut";
   if (report.split_components > 0)
@@ -262,6 +266,8 @@ Json json_of(const Outcome& outcome) {
                {"non_edge_contractions", report.non_edge_contractions},
                {"vanished_components", report.vanished_components},
                {"largest_vanished_component", report.largest_vanished_component},
+               {"joined_gaps", report.joined_gaps},
+               {"open_gaps", report.open_gaps},
                {"cut_handles", report.cut_handles},
                {"split_components", report.split_components},
                {"cut_distance", report.cut_distance},

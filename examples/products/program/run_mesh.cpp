@@ -95,7 +95,7 @@ void print_preset(const Options& options) {
 void print_hint(const Options& options, const IndexedMesh& mesh, const Winding& winding) {
   const quadrille::SoupOptions& soup = options.soup;
   if (options.is_quiet || soup.preset || soup.manifold || soup.height_field ||
-      options.cuts_handles() || options.has_length("voxel_size") ||
+      options.joins_gaps() || options.cuts_handles() || options.has_length("voxel_size") ||
       soup.topology == quadrille::Topology::free)
     return;
   if (const std::string hint = SurfaceKind(mesh, winding).hint(); !hint.empty())

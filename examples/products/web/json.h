@@ -39,6 +39,8 @@ inline std::string json_of(const quadrille::Report& report) {
   json.add("componentsBefore", report.components_before);
   json.add("componentsAfter", report.components_after);
   json.add("vanishedComponents", report.vanished_components);
+  json.add("joinedGaps", report.joined_gaps);
+  json.add("openGaps", report.open_gaps);
   json.add("cutHandles", report.cut_handles);
   json.add("splitComponents", report.split_components);
   json.add("cutDistance", report.cut_distance);

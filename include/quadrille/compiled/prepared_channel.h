@@ -132,8 +132,10 @@ public:
     return view;
   }
 
-  /// Follows a cut into sheets; `before` are the triangles as they were.
-  void follow(const ManifoldChanges& changes, std::size_t points_before,
+  /// Follows changes by which triangles are fragments of others, or have an edge with them in
+  /// common: a cut into sheets, and joins across gaps. `before` are the triangles as they were.
+  template <class Changes>
+  void follow(const Changes& changes, std::size_t points_before,
               std::span<const std::array<std::uint32_t, 3>> before,
               std::span<const std::array<std::uint32_t, 3>> after) {
     if (is_of_points_) {
@@ -145,18 +147,20 @@ public:
     SoupTriangles triangles;
     for (std::size_t face = 0; face < after.size(); ++face) {
       const std::size_t source = changes.triangles[face];
-      const auto value_at = [&](const auto& self, std::size_t point) -> std::uint32_t {
-        if (point < points_before) {
-          const auto& corners = before[source];
-          const auto at = std::find(corners.begin(), corners.end(), point) - corners.begin();
-          return triangles_[source][static_cast<std::size_t>(at) % 3];
-        }
+      const auto value_at = [&](std::size_t point, auto& self) -> std::size_t {
+        const auto& corners = before[source];
+        const auto at = std::find(corners.begin(), corners.end(), point);
+        if (at != corners.end())
+          return triangles_[source][static_cast<std::size_t>(at - corners.begin())];
+        if (point < points_before)
+          return no_value;
         const auto [a, b] = changes.origins[point - points_before];
-        return value_between(self(self, a), self(self, b), middles);
+        return middle_of(self(a, self), self(b, self), middles);
       };
-      std::array<std::uint32_t, 3>& corners = triangles.emplace_back();
+      std::array<std::size_t, 3> values{};
       for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = value_at(value_at, after[face][i]);
+        values[i] = value_at(after[face][i], value_at);
+      triangles.push_back(without_gaps(values));
     }
     triangles_ = std::move(triangles);
   }
@@ -178,16 +182,27 @@ public:
   }
 
 private:
-  using Middles = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
+  using Middles = std::map<std::pair<std::size_t, std::size_t>, std::uint32_t>;
+  static constexpr auto no_value = static_cast<std::size_t>(-1);
 
-  std::uint32_t value_between(std::uint32_t a, std::uint32_t b, Middles& middles) {
-    if (a == b)
-      return a;
-    const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(a, b);
-    const auto [place, is_new] = middles.try_emplace(ends, 0);
+  // The value in the middle between two, which is the same one for all triangles there.
+  std::size_t middle_of(std::size_t a, std::size_t b, Middles& middles) {
+    if (a == b || a == no_value || b == no_value)
+      return a == b ? a : no_value;
+    const auto [low, high] = std::minmax(a, b);
+    const auto [place, is_new] = middles.try_emplace({low, high}, 0);
     if (is_new)
-      place->second = add_mean({ends.first, ends.second});
+      place->second = add_mean({low, high});
     return place->second;
+  }
+  // A corner at the other wall of a gap has the value of the next one that is at this wall.
+  static std::array<std::uint32_t, 3> without_gaps(const std::array<std::size_t, 3>& values) {
+    std::array<std::uint32_t, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = i + 3; k-- > i;)
+        if (values[k % 3] != no_value)
+          result[i] = static_cast<std::uint32_t>(values[k % 3]);
+    return result;
   }
 
   std::size_t value_at(const CutCaps& caps, std::size_t face, std::size_t point) const {

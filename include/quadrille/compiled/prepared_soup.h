@@ -4,6 +4,7 @@
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/prepared_channel.h>
 #include <quadrille/cut_handles.h>
+#include <quadrille/join_gaps.h>
 #include <quadrille/manifold.h>
 
 #include <algorithm>
@@ -17,13 +18,14 @@
 #include <vector>
 
 /// \file
-/// Preparations of a soup that add points and triangles: it is made manifold, and handles are cut.
+/// Preparations of a soup that add points and triangles: it is made manifold, components are joined
+/// across gaps, and handles are cut.
 
 namespace quadrille::internal {
 
 /// Does the call ask for a preparation?
 inline bool has_preparation(const SoupOptions& options) {
-  return options.manifold || options.simplified_topology;
+  return options.manifold || options.join_gaps || options.simplified_topology;
 }
 
 /// A soup that has been prepared, with all that its points and triangles have. A point in the
@@ -39,6 +41,8 @@ public:
     std::iota(sources_.begin(), sources_.end(), std::size_t{0});
     if (options.manifold)
       make_sheets();
+    if (options.join_gaps)
+      join();
     if (options.simplified_topology)
       cut();
     for (const std::size_t source : sources_) {
@@ -49,6 +53,7 @@ public:
     }
     options_.selected = std::move(selected_);
     options_.manifold = false;
+    options_.join_gaps.reset();
     options_.simplified_topology.reset();
   }
 
@@ -70,7 +75,9 @@ public:
     report.faces_before = soup_.triangles.size();
     report.cut_handles = handles_.cut_handles;
     report.split_components = handles_.split_components;
-    report.components_before -= handles_.split_components;
+    report.components_before += gaps_.joined_gaps - handles_.split_components;
+    report.joined_gaps = gaps_.joined_gaps;
+    report.open_gaps = gaps_.open_gaps;
     report.cut_distance = handles_.distance;
     report.split_vertices = sheets_.split_vertices;
     report.split_edges = sheets_.split_edges;
@@ -84,8 +91,8 @@ private:
     const auto reject_if = [](bool is_there, const char* with) {
       if (is_there)
         throw std::invalid_argument(
-            std::string("quadrille::simplified_soup: manifold and simplified_topology add points "
-                        "and triangles: they do not go with ") +
+            std::string("quadrille::simplified_soup: manifold, join_gaps and simplified_topology "
+                        "add points and triangles: they do not go with ") +
             with);
     };
     reject_if(options_.topology == Topology::free || options_.pairs_closer_than,
@@ -103,8 +110,17 @@ private:
     follow(sheets_);
   }
 
-  // Nothing is cut at fixed points, and where a triangle is not selected.
-  void cut() {
+  void join() {
+    const SoupTriangles before = triangles_;
+    const std::size_t points_before = points_.size();
+    gaps_ = quadrille::join_gaps(points_, triangles_, *options_.join_gaps, kept_points());
+    for (PreparedChannel& channel : channels_)
+      channel.follow(gaps_, points_before, before, triangles_);
+    follow(gaps_);
+  }
+
+  // Nothing is joined or cut at fixed points, and where a triangle is not selected.
+  std::vector<bool> kept_points() const {
     std::vector<bool> is_kept(points_.size(), false);
     for (std::size_t v = 0; v < points_.size(); ++v)
       is_kept[v] = (!options_.fixed.empty() && options_.fixed[v]) ||
@@ -113,9 +129,13 @@ private:
       if (!options_.selected[sources_[face]])
         for (const std::uint32_t v : triangles_[face])
           is_kept[v] = true;
+    return is_kept;
+  }
+
+  void cut() {
     const std::size_t points_before = points_.size();
-    handles_ =
-        cut_handles(points_, triangles_, *options_.simplified_topology, is_kept, options_.threads);
+    handles_ = cut_handles(points_, triangles_, *options_.simplified_topology, kept_points(),
+                           options_.threads);
     const CutCaps caps(handles_, points_before, triangles_);
     for (PreparedChannel& channel : channels_)
       channel.follow(caps);
@@ -151,6 +171,7 @@ private:
   SoupPoints points_;
   SoupTriangles triangles_;
   ManifoldChanges sheets_;
+  GapChanges gaps_;
   HandleChanges handles_;
   std::vector<std::uint32_t> roots_; // of added points
   std::vector<std::size_t> sources_; // of all triangles

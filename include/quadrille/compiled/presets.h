@@ -85,10 +85,10 @@ inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
 /// Returns the options of a call whose levels are to have the indices of the input: a preset then
 /// adds no points. Throws std::invalid_argument for preparations, which do.
 inline SoupOptions options_of_levels(const SoupOptions& given, const SoupView& soup) {
-  if (given.manifold || given.simplified_topology)
-    throw std::invalid_argument(
-        "manifold and simplified_topology add points and triangles: they do not go with levels or "
-        "maps, which have the indices of the input");
+  if (given.manifold || given.join_gaps || given.simplified_topology)
+    throw std::invalid_argument("manifold, join_gaps and simplified_topology add points and "
+                                "triangles: they do not go with levels or "
+                                "maps, which have the indices of the input");
   SoupOptions options = given.preset ? with_preset(given, soup) : given;
   options.manifold = false;
   options.simplified_topology.reset();

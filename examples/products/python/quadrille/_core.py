@@ -141,7 +141,8 @@ class Contraction(CContraction):
 
 
 _COUNTS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "vertices_after", "contractions",
-           "non_edge_contractions", "components_before", "components_after", "vanished_components", "cut_handles",
+           "non_edge_contractions", "components_before", "components_after", "vanished_components",
+           "joined_gaps", "open_gaps", "cut_handles",
            "split_components", "split_vertices", "split_edges", "kept_planes", "non_manifold_edges",
            "non_manifold_vertices", "duplicated_vertices", "doubled_faces", "doubled_labels")
 _REALS = ("largest_vanished_component", "cut_distance", "error")
@@ -153,7 +154,8 @@ _CAUSES = ("topology", "constraint", "normal flip", "shape", "degree", "distance
            "texture", "hull", "volume", "filter", "self-intersection", "normal deviation", "chord")
 _MEMBERS = ("faces_before", "counted_faces", "faces_after", "vertices_before", "vertices_after", "contractions",
             "non_edge_contractions", "components_before", "components_after", "vanished_components",
-            "largest_vanished_component", "cut_handles", "split_components", "cut_distance", "split_vertices",
+            "largest_vanished_component", "joined_gaps", "open_gaps", "cut_handles", "split_components",
+            "cut_distance", "split_vertices",
             "split_edges", "kept_planes", "non_manifold_edges", "non_manifold_vertices", "duplicated_vertices",
             "doubled_faces", "doubled_labels", "stop", "is_target_reached", "error", "distance_bound",
             "hausdorff_bound", "used_tolerance", "volume_before", "volume_after", "self_intersections",
@@ -269,6 +271,8 @@ def _line_of(r: Report) -> str:
         lambda: f"{r.components_before} -> {r.components_after} components")
     add(r.vanished_components,
         lambda: f"{r.vanished_components} components vanished, of sizes up to {r.largest_vanished_component:g}")
+    add(r.joined_gaps, lambda: f"{r.joined_gaps} gaps joined")
+    add(r.open_gaps, lambda: f"{r.open_gaps} gaps left open")
     add(r.cut_handles, lambda: f"{r.cut_handles} handles cut")
     add(r.split_components, lambda: f"{r.split_components} components cut in two")
     add(r.cut_distance, lambda: f"cuts closed within {r.cut_distance:g} of the input")

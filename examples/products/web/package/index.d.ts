@@ -67,6 +67,10 @@ export interface Report {
   componentsBefore: number;
   componentsAfter: number;
   vanishedComponents: number;
+  /** Gaps across which components were joined first, with `joinGaps`. */
+  joinedGaps: number;
+  /** Gaps that could not be joined. */
+  openGaps: number;
   /** Handles and tunnels that were cut first, with `simplifiedTopology`. */
   cutHandles: number;
   /** Components that were cut in two by that. */
