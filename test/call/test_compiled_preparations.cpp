@@ -5,6 +5,7 @@
 
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/presets.h>
+#include <quadrille/compiled/voxel_lattice.h>
 #include <quadrille/levels.h>
 #include <quadrille/record.h>
 
@@ -17,6 +18,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -317,20 +319,68 @@ TEST_CASE("A preset stands for options that are left at their defaults") {
   CHECK(named.points == own.points);
   CHECK(named.triangles == own.triangles);
   CHECK(named.report.kept_planes == 2);
+}
 
-  const SoupResult smooth =
-      simplified_soup(soup, {.preset = SoupOptions::Preset::voxels, .faces = 200});
-  const double edge = (2 + std::sqrt(2)) / 3; // each square is cut along a diagonal
-  const SoupResult own_smooth = simplified_soup(soup, {.faces = 200,
-                                                       .topology = Topology::components_may_vanish,
-                                                       .manifold = true,
-                                                       .simplified_topology = 1.5 * edge,
-                                                       .voxel_size = 0.9 * edge});
-  CHECK(smooth.report.cut_handles == own_smooth.report.cut_handles);
-  REQUIRE(smooth.points.size() == own_smooth.points.size());
-  for (std::size_t i = 0; i < smooth.points.size(); ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      CHECK(smooth.points[i][axis] == Approx(own_smooth.points[i][axis]).margin(1e-9));
+TEST_CASE("Coordinates lie on a lattice, or on none") {
+  const auto step_of = [](std::vector<double> coordinates) {
+    const auto lattice = internal::lattice_of(std::move(coordinates));
+    return lattice ? lattice->step : 0;
+  };
+  CHECK(step_of({7, 2, 5, 2, 11}) == Approx(1)); // half of the least difference
+  CHECK(step_of({1000.29999, 1000.59998, 1001.5}) == Approx(0.3).epsilon(1e-3));
+  CHECK(step_of({0, 1, 2.3, 3.1}) == 0);
+  CHECK(step_of({4, 4}) == 0);
+  CHECK(step_of({0, 1, HUGE_VAL}) == 0);
+  CHECK(step_of({}) == 0);
+}
+
+TEST_CASE("The preset of voxels finds their size") {
+  const Soup blocks = two_tunnels();
+  const auto check_size = [](const SoupPoints& points, const SoupTriangles& triangles,
+                             double size) {
+    CAPTURE(size);
+    const SoupView soup{points, triangles, {}, {}};
+    const SoupResult by_preset =
+        simplified_soup(soup, {.preset = SoupOptions::Preset::voxels, .faces = 200});
+    const SoupResult own = simplified_soup(soup, {.faces = 200,
+                                                  .topology = Topology::components_may_vanish,
+                                                  .manifold = true,
+                                                  .simplified_topology = 1.7 * size,
+                                                  .voxel_size = size});
+    CHECK(by_preset.report.cut_handles == own.report.cut_handles);
+    REQUIRE(by_preset.points.size() == own.points.size());
+    for (std::size_t i = 0; i < own.points.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        CHECK(by_preset.points[i][axis] == Approx(own.points[i][axis]).margin(1e-6 * size));
+  };
+  const auto stretched = [](SoupPoints points, std::array<double, 3> sides) {
+    for (auto& p : points)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        p[axis] = static_cast<double>(static_cast<float>(3.7 + sides[axis] * p[axis]));
+    return points;
+  };
+  const SoupPoints points = arrays_of(blocks);
+  check_size(points, blocks.triangles, 1);
+  check_size(stretched(points, {0.7, 0.7, 2.1}), blocks.triangles, 0.7);
+  check_size(stretched(points, {3, 1.1, 1.1}), blocks.triangles, 1.1);
+  SoupOptions flat;
+  flat.error = 1e-9;
+  flat.placement =
+      SoupOptions::Placement::endpoint; // optimal ones leave vertices anywhere in flats
+  const SoupResult merged = simplified_soup({points, blocks.triangles}, flat);
+  REQUIRE(merged.triangles.size() < 200);
+  check_size(merged.points, merged.triangles, 1);
+
+  SoupPoints rough = points;
+  for (std::size_t i = 0; i < rough.size(); ++i)
+    rough[i][i % 3] += 0.01 * std::sin(double(i));
+  double edges = 0;
+  for (const auto& t : blocks.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges += std::sqrt(
+          squared_distance(test::Position{rough[t[i]]}, test::Position{rough[t[(i + 1) % 3]]}));
+  check_size(rough, blocks.triangles,
+             0.9 * edges / (3 * static_cast<double>(blocks.triangles.size())));
 }
 
 TEST_CASE("A preset finds no length in a surface without edges") {

@@ -328,6 +328,31 @@ TEST_CASE("flat walls of many voxels stay flat, and fixed vertices in their plac
       CHECK(result.points[v][2] == Approx(points[v][2]).margin(0.2));
 }
 
+TEST_CASE("the preset of voxels finds the size of those of marching cubes", "[voxels]") {
+  for (const bool is_blocky : {true, false}) {
+    Soup soup = is_blocky ? blocky(ring) : marched(ring);
+    for (Position& p : soup.points)
+      p = 0.37 * p;
+    const SoupPoints points = arrays_of(soup);
+    SoupOptions options;
+    options.faces = 900;
+    options.preset = SoupOptions::Preset::voxels;
+    const SoupResult found = simplified_soup({points, soup.triangles}, options);
+    options.preset.reset();
+    options.manifold = true;
+    options.topology = Topology::components_may_vanish;
+    options.simplified_topology = 1.7 * 0.37;
+    options.voxel_size = 0.37;
+    const SoupResult own = simplified_soup({points, soup.triangles}, options);
+    REQUIRE(found.points.size() == own.points.size());
+    double farthest = 0;
+    for (std::size_t v = 0; v < own.points.size(); ++v)
+      for (std::size_t i = 0; i < 3; ++i)
+        farthest = (std::max)(farthest, std::abs(found.points[v][i] - own.points[v][i]));
+    CHECK(farthest < 1e-6);
+  }
+}
+
 TEST_CASE("a voxel has a size", "[voxels]") {
   SoupPoints points = arrays_of(test::cube(3));
   SoupTriangles triangles = test::cube(3).triangles;

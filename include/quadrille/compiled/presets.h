@@ -2,6 +2,7 @@
 #define QUADRILLE_COMPILED_PRESETS_H
 
 #include <quadrille/compiled.h>
+#include <quadrille/compiled/voxel_lattice.h>
 #include <quadrille/quadric_form.h>
 
 #include <cmath>
@@ -59,6 +60,9 @@ inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
   const SoupOptions fallback;
   SoupOptions options = given;
   const double edge = mean_edge_length(soup);
+  double voxel = 0.9 * edge;
+  if (given.preset == SoupOptions::Preset::voxels)
+    voxel = lattice_voxel_size(soup).value_or(voxel);
 #define QUADRILLE_PRESET(preset_, option, value)                                                   \
   if (given.preset == SoupOptions::Preset::preset_ && given.option == fallback.option)             \
     options.option = value;
