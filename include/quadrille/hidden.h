@@ -4,10 +4,14 @@
 #include <quadrille/internal/core/base/compiler.h> // first, since it reports which compiler this needs
 
 #include <quadrille/internal/core/base/containers.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/parallel.h>
+#include <quadrille/internal/core/base/points.h>
 #include <quadrille/internal/core/base/read_surface.h>
 #include <quadrille/internal/core/base/text.h>
 #include <quadrille/internal/core/call/meshes.h>
+#include <quadrille/internal/visibility/closed_removal.h>
+#include <quadrille/internal/visibility/hidden_caps.h>
 #include <quadrille/internal/visibility/hidden_groups.h>
 #include <quadrille/internal/visibility/hidden_search.h>
 #include <quadrille/internal/visibility/joined_places.h>
@@ -20,10 +24,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -80,10 +87,23 @@ struct HiddenFaces {
   double area = 0;                 ///< the area of the hidden faces
   double whole_area = 0;           ///< the area of all faces
   std::vector<HiddenGroup> groups; ///< the largest area first
-  /// The edges that hidden faces share with others, and that become boundary edges if hidden faces
-  /// are removed.
+  /// The edges that hidden faces share with others, and that would become boundary edges if all
+  /// hidden faces and nothing else were removed.
   std::size_t cut_edges = 0;
   bool is_cancelled = false; ///< by HiddenOptions::progress: then no face is hidden
+};
+
+/// The hidden faces that remove_hidden() has found, and its changes.
+struct HiddenRemoval {
+  HiddenFaces found;            ///< the hidden faces of the input
+  std::size_t removed = 0;      ///< the number of removed faces
+  std::size_t caps = 0;         ///< the number of loops that were closed
+  std::size_t added_points = 0; ///< the points in the middle of caps
+  /// For each added point, two points of the loop in the middle of which it lies.
+  std::vector<std::array<std::size_t, 2>> origins;
+  /// For each triangle of the result, the triangle of the input that it is, or, if it belongs to a
+  /// cap, one that it has an edge in common with or that is at the same loop.
+  std::vector<std::size_t> triangles;
 };
 
 /// Options of visibility() and visibility_importance().
@@ -173,14 +193,61 @@ inline std::vector<double> importances_of(std::vector<double> fractions, double 
   return fractions;
 }
 
-/// Removes the triangles that are hidden.
-template <class Triangles>
-void keep_seen(Triangles& triangles, const std::vector<bool>& is_hidden) {
-  auto kept = empty_like(triangles);
-  for (std::size_t face = 0; face < is_hidden.size(); ++face)
-    if (!is_hidden[face])
-      kept.push_back(triangles[face]);
-  std::swap(triangles, kept);
+/// A surface without its hidden faces.
+struct ClosedRest {
+  HiddenRemoval changes;
+  std::vector<bool> is_removed;  ///< a value for each face of the input
+  std::vector<Vector<3>> points; ///< the added points
+  std::vector<std::array<Index, 3>> cap_triangles =
+      {}; ///< indices of points of the input and added ones
+};
+
+/// Returns the number of sides of faces that are no edge of exactly two faces wound alike.
+inline std::size_t sides_without_twin(const SurfaceView& surface) {
+  const HalfEdges half_edges(surface);
+  std::size_t count = 0;
+  for (Index h = 0; h < 3 * half_edges.faces(); ++h)
+    count += half_edges.twin(h) == none;
+  return count;
+}
+
+/// Removes hidden faces. Faces are connected by points of `connected`, and name those of `surface`.
+inline ClosedRest closed_rest_of(const TriangleSoup<>& surface, const SurfaceView& connected,
+                                 HiddenFaces found, const HiddenOptions& options) {
+  ClosedRest rest{{.found = std::move(found)}, {}, {}};
+  HiddenRemoval& changes = rest.changes;
+  rest.is_removed = changes.found.is_hidden;
+  std::vector<std::size_t> like;
+  if (changes.found.count > 0) {
+    const ClosedRemoval removal(connected, changes.found.is_hidden, options.directions,
+                                options.threshold, options.front_only);
+    rest.is_removed = removal.is_removed();
+    removal.for_each_cap([&](const HiddenCap& cap, const Vector<3>& middle) {
+      ++changes.caps;
+      const auto origin = [&](std::size_t side) {
+        return surface.triangles[HalfEdges::face(cap.sides[side])][cap.sides[side] % 3];
+      };
+      const auto added = static_cast<Index>(surface.points.size() + rest.points.size());
+      for (const auto& triangle : cap.triangles) {
+        auto& corners = rest.cap_triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+          corners[k] = triangle[k] < cap.sides.size() ? origin(triangle[k]) : added;
+        like.push_back(HalfEdges::face(cap.sides[triangle[1]]));
+      }
+      if (cap.has_middle) {
+        rest.points.push_back(middle);
+        changes.origins.push_back({origin(0), origin(cap.sides.size() / 2)});
+      }
+    });
+  }
+  changes.added_points = rest.points.size();
+  for (std::size_t face = 0; face < rest.is_removed.size(); ++face)
+    if (rest.is_removed[face])
+      ++changes.removed;
+    else
+      changes.triangles.push_back(face);
+  changes.triangles.insert(changes.triangles.end(), like.begin(), like.end());
+  return rest;
 }
 
 } // namespace internal
@@ -232,44 +299,95 @@ HiddenFaces hidden_faces(const Mesh& mesh, const HiddenOptions& options = {}) {
                                    internal::threads_of(function, options.threads));
 }
 
-/// Removes the hidden faces of a polygon soup: see hidden_faces(). Returns what has been removed.
+/// Removes the hidden faces of a polygon soup, see hidden_faces(), and closes what that opens.
+/// Returns what has been found and changed.
 ///
-/// The other triangles keep their order, and all points stay as they are, so whatever belongs to a
-/// point still does. What belongs to a triangle stays for those that are not
-/// HiddenFaces::is_hidden. Points without triangles may be left; simplify() drops them. The
-/// containers are those of simplify() that can grow. If an exception is thrown or the search is
-/// cancelled, the soup is unchanged.
+/// If hidden faces continue in others, as in the tunnels through the wall of a shell, each loop
+/// of edges between them gets a cap: triangles between its points, or a fan round a point in the
+/// middle. So edges of one triangle, and edges along which the triangles run more often one way
+/// than the other, only remain where they have been, and a closed manifold stays one, oriented
+/// alike. For that, loops do not pass through points of which the triangles do not form one disc,
+/// and not twice through the same point: hidden triangles around those stay.
+///
+/// Caps do not hide what is seen: where most of the rays that reach a cap from outside would go on
+/// to triangles that stay, or leave on the other side, hidden triangles around it stay. Parts of
+/// the surface that were seen only through openings that now have caps are removed, too.
+///
+/// The other triangles keep their order, and caps follow them. No point moves; added ones come
+/// behind the others. Points without triangles may be left; simplify() drops them. The containers
+/// are those of simplify() that can grow. If an exception is thrown or the search is cancelled, the
+/// soup is unchanged.
 template <class Points, class Triangles>
-requires internal::ReadableSoup<Points, Triangles> && requires(Triangles& triangles) {
+requires internal::ReadableSoup<Points, Triangles> &&
+    requires(Points& points, Triangles& triangles) {
+  points.push_back(points[0]);
   triangles.push_back(triangles[0]);
 }
-HiddenFaces remove_hidden(const Points& points, Triangles& triangles,
-                          const HiddenOptions& options = {}) {
+HiddenRemoval remove_hidden(Points& points, Triangles& triangles,
+                            const HiddenOptions& options = {}) {
+  using Point = std::ranges::range_value_t<Points>;
   constexpr const char* function = "quadrille::remove_hidden";
   internal::require_sense(function, options);
-  HiddenFaces hidden =
-      internal::hidden_faces_of(internal::read_surface(function, points, triangles), options,
-                                internal::threads_of(function, options.threads));
-  internal::keep_seen(triangles, hidden.is_hidden);
-  return hidden;
+  const TriangleSoup<> surface = internal::read_surface(function, points, triangles);
+  TriangleSoup<> joined = surface; // connects seams, but also sheets that touch
+  internal::join_places(joined);
+  const bool has_seams =
+      internal::sides_without_twin(joined) < internal::sides_without_twin(surface);
+  internal::ClosedRest rest = internal::closed_rest_of(
+      surface, has_seams ? joined : surface,
+      internal::hidden_faces_of(surface, options, internal::threads_of(function, options.threads)),
+      options);
+  Points new_points(points);
+  for (const Vector<3>& p : rest.points)
+    new_points.push_back(internal::point_at<Point>(p));
+  const std::vector<std::size_t>& like = rest.changes.triangles;
+  const std::size_t kept = like.size() - rest.cap_triangles.size();
+  auto new_triangles = internal::empty_like(triangles);
+  for (std::size_t i = 0; i < like.size(); ++i)
+    if (i < kept)
+      new_triangles.push_back(triangles[like[i]]);
+    else
+      new_triangles.push_back(internal::renumbered(triangles[like[i]], [&](std::size_t k) {
+        return std::size_t{rest.cap_triangles[i - kept][k]};
+      }));
+  std::swap(points, new_points);
+  std::swap(triangles, new_triangles);
+  return std::move(rest.changes);
 }
 
 /// Removes the hidden faces of a mesh, a model of CGAL's MutableFaceGraph, and vertices and edges
-/// that have no other face. All else keeps its descriptors.
+/// that have no other face, and closes what that opens as remove_hidden() of a soup does. All else
+/// keeps its descriptors. Added vertices and faces have a position, and no value in other property
+/// maps. Loops do not pass through the boundary of the mesh.
 template <internal::FaceGraph Mesh>
-HiddenFaces remove_hidden(Mesh& mesh, const HiddenOptions& options = {}) {
+HiddenRemoval remove_hidden(Mesh& mesh, const HiddenOptions& options = {}) {
+  using Graph = boost::graph_traits<Mesh>;
   constexpr const char* function = "quadrille::remove_hidden";
   internal::require_sense(function, options);
-  HiddenFaces hidden = internal::hidden_faces_of(internal::read_surface(function, mesh), options,
-                                                 internal::threads_of(function, options.threads));
-  std::vector<typename boost::graph_traits<Mesh>::face_descriptor> removed;
+  const TriangleSoup<> surface = internal::read_surface(function, mesh);
+  internal::ClosedRest rest = internal::closed_rest_of(
+      surface, surface,
+      internal::hidden_faces_of(surface, options, internal::threads_of(function, options.threads)),
+      options);
+  std::vector<typename Graph::vertex_descriptor> vertex_at;
+  for (const auto v : vertices(mesh))
+    vertex_at.push_back(v);
+  std::vector<typename Graph::face_descriptor> removed;
   std::size_t number = 0;
   for (const auto face : faces(mesh))
-    if (hidden.is_hidden[number++])
+    if (rest.is_removed[number++])
       removed.push_back(face);
   for (const auto face : removed)
     CGAL::Euler::remove_face(halfedge(face, mesh), mesh);
-  return hidden;
+  const auto points = get(CGAL::vertex_point, mesh);
+  using Point = typename boost::property_traits<std::remove_cv_t<decltype(points)>>::value_type;
+  for (const Vector<3>& p : rest.points) {
+    vertex_at.push_back(add_vertex(mesh));
+    put(points, vertex_at.back(), internal::point_at<Point>(p));
+  }
+  for (const auto& [a, b, c] : rest.cap_triangles)
+    CGAL::Euler::add_face(std::array{vertex_at[a], vertex_at[b], vertex_at[c]}, mesh);
+  return std::move(rest.changes);
 }
 
 /// Returns how much of each face and vertex of a polygon soup is seen from outside: the fraction of

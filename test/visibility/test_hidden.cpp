@@ -3,15 +3,19 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <CGAL/boost/graph/helpers.h>
 #include <catch2/catch.hpp>
 #include <quadrille/hidden.h>
+#include <quadrille/manifold.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numbers>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -97,6 +101,62 @@ std::array<std::size_t, 2> hidden_parts(const HiddenFaces& found, std::size_t fi
 }
 
 using Parts = std::array<std::size_t, 2>;
+
+/// A cube of 16³ cells with an empty space of 8³ in its middle, and tunnels to that from cells of
+/// the outside.
+Soup shell_of_cubes(const std::vector<std::array<int, 3>>& tunnels) {
+  const auto is_tunnel = [&](const std::array<int, 3>& cell) {
+    return std::any_of(tunnels.begin(), tunnels.end(), [&](const std::array<int, 3>& mouth) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        if (mouth[axis] % 15 == 0 && cell[u] == mouth[u] && cell[v] == mouth[v] &&
+            (mouth[axis] == 0) == (cell[axis] < 8))
+          return true;
+      }
+      return false;
+    });
+  };
+  const auto is_inside = [](int x) { return x >= 4 && x < 12; };
+  return test::surface_of_cubes(16, 16, 16, [&](int x, int y, int z) {
+    return !(is_inside(x) && is_inside(y) && is_inside(z)) && !is_tunnel({x, y, z});
+  });
+}
+
+/// The mouths of tunnels that may cross each other.
+std::vector<std::array<int, 3>> random_tunnels(std::uint32_t seed, int count) {
+  std::minstd_rand random(seed);
+  const auto below = [&](std::uint32_t n) { return static_cast<int>(random() % n); };
+  std::vector<std::array<int, 3>> mouths;
+  for (int i = 0; i < count; ++i) {
+    std::array<int, 3> mouth{4 + below(8), 4 + below(8), 4 + below(8)};
+    mouth[random() % 3] = 15 * below(2);
+    mouths.push_back(mouth);
+  }
+  return mouths;
+}
+
+/// Does a face lie on the cube from 0 to `size`?
+bool is_in_hull(const Soup& soup, std::size_t face, double size) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double at : {0.0, size})
+      if (std::all_of(soup.triangles[face].begin(), soup.triangles[face].end(),
+                      [&](std::uint32_t v) { return soup.points[v][axis] == at; }))
+        return true;
+  return false;
+}
+
+/// The edges, by places, along which faces run more often one way than the other.
+std::size_t edges_out_of_balance(const Soup& soup) {
+  std::map<std::array<std::array<double, 3>, 2>, int> balance;
+  for (const auto& triangle : soup.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &a = soup.points[triangle[i]].coordinates,
+                 &b = soup.points[triangle[(i + 1) % 3]].coordinates;
+      balance[{(std::min)(a, b), (std::max)(a, b)}] += a < b ? 1 : -1;
+    }
+  return static_cast<std::size_t>(
+      std::count_if(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; }));
+}
 
 } // namespace
 
@@ -224,24 +284,126 @@ TEST_CASE("Hidden triangles are removed from a soup, the others keep their order
   const Soup outside = cube(3), inside = scaled(cube(2), 0.3);
   const Soup both = joined(inside, outside);
   Soup soup = both;
-  const HiddenFaces found = remove_hidden(soup.points, soup.triangles);
-  CHECK(found.count == inside.triangles.size());
+  const HiddenRemoval changes = remove_hidden(soup.points, soup.triangles);
+  CHECK(changes.found.count == inside.triangles.size());
+  CHECK(changes.removed == inside.triangles.size());
+  CHECK(changes.caps == 0);
   CHECK(soup.points.size() == inside.points.size() + outside.points.size());
   CHECK(std::equal(soup.triangles.begin(), soup.triangles.end(),
                    both.triangles.begin() + std::ptrdiff_t(inside.triangles.size()),
                    both.triangles.end()));
 }
 
-TEST_CASE("Hidden faces are removed from a mesh, which stays valid") {
-  const Soup shape = bottle(0.1);
-  const HiddenOptions options{.directions = 16, .threshold = 0.02};
+TEST_CASE("What is left of a shell with tunnels is its closed outer wall") {
+  const Soup shell = shell_of_cubes({{6, 9, 0}, {9, 6, 0}, {0, 6, 6}, {15, 9, 9}, {9, 0, 10}});
+  REQUIRE(test::topology_of(shell).is_manifold);
+  REQUIRE(test::topology_of(shell).genus() == 4);
+  Soup rest = shell;
+  const HiddenRemoval changes = remove_hidden(rest.points, rest.triangles);
+  const test::SoupTopology after = test::topology_of(rest);
+  CHECK(changes.caps == 5);
+  CHECK(after.is_manifold);
+  CHECK(after.is_oriented);
+  CHECK(after.is_closed());
+  CHECK(after.components == 1);
+  CHECK(after.genus() == 0);
+  CHECK_FALSE(after.has_duplicate_faces);
+  CHECK(test::count_degenerate_faces(rest) == 0);
+  CHECK(test::volume(rest) == Approx(16 * 16 * 16).epsilon(0.02)); // but for dents
+  // All faces of the outer wall stay, and caps are all that is added.
+  REQUIRE(changes.triangles.size() == rest.triangles.size());
+  const std::size_t kept = shell.triangles.size() - changes.removed;
+  std::vector<bool> stays(shell.triangles.size(), false);
+  for (std::size_t i = 0; i < kept; ++i) {
+    stays[changes.triangles[i]] = true;
+    CHECK(rest.triangles[i] == shell.triangles[changes.triangles[i]]);
+  }
+  for (std::size_t face = 0; face < shell.triangles.size(); ++face)
+    CHECK((stays[face] || !is_in_hull(shell, face, 16)));
+  REQUIRE(changes.origins.size() == rest.points.size() - shell.points.size());
+  for (const auto& [a, b] : changes.origins)
+    CHECK((a < shell.points.size() && b < shell.points.size() && a != b));
+}
+
+TEST_CASE("Random shells stay closed manifolds, and seams stay where they were") {
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    Soup shell = shell_of_cubes(random_tunnels(seed, 6));
+    shell = test::with_noise(shell, seed, 0.2);
+    make_manifold(shell.points, shell.triangles);
+    REQUIRE(test::topology_of(shell).is_closed());
+    Soup rest = shell;
+    const HiddenRemoval changes = remove_hidden(rest.points, rest.triangles);
+    CHECK(changes.removed > 100);
+    const test::SoupTopology after = test::topology_of(rest);
+    INFO(seed << ": " << after);
+    CHECK(after.is_manifold);
+    CHECK(after.is_oriented);
+    CHECK(after.is_closed());
+    CHECK_FALSE(after.has_collapsed_faces);
+    CHECK(test::count_degenerate_faces(rest) == 0);
+    // Each triangle has points of its own: only places connect them.
+    Soup split;
+    for (const auto& triangle : shell.triangles) {
+      const auto first = static_cast<std::uint32_t>(split.points.size());
+      for (const std::uint32_t v : triangle)
+        split.points.push_back(shell.points[v]);
+      split.triangles.push_back({first, first + 1, first + 2});
+    }
+    remove_hidden(split.points, split.triangles);
+    CHECK(edges_out_of_balance(split) == 0);
+  }
+}
+
+TEST_CASE("A non-manifold shell gets no open edge, and an open one stays open where it was") {
+  for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+    const Soup shell = shell_of_cubes(random_tunnels(seed, 8));
+    Soup rest = shell;
+    CHECK(remove_hidden(rest.points, rest.triangles).caps > 0);
+    CHECK(edges_out_of_balance(rest) == 0);
+    Soup open = shell; // without a square of the outer wall
+    std::erase_if(open.triangles, [&](const auto& triangle) {
+      return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t v) {
+        const Position& p = open.points[v];
+        return p[2] == 0 && p[0] >= 1 && p[0] <= 2 && p[1] >= 1 && p[1] <= 2;
+      });
+    });
+    REQUIRE(edges_out_of_balance(open) == 4);
+    remove_hidden(open.points, open.triangles);
+    CHECK(edges_out_of_balance(open) == 4);
+  }
+}
+
+TEST_CASE("No cap hides what is seen: a ring on a table keeps what lies on it") {
+  const Soup table = test::surface_of_cubes(11, 11, 1, [](int, int, int) { return true; });
+  const Soup ring = test::surface_of_cubes(
+      7, 7, 2, [](int x, int y, int) { return x < 2 || y < 2 || x > 4 || y > 4; });
+  const Soup both = joined(table, ring, {{2, 2, 1}});
+  REQUIRE(hidden(both).count == 2 * 2 * 40); // where they touch
+  Soup rest = both;
+  const HiddenRemoval changes = remove_hidden(rest.points, rest.triangles);
+  CHECK(changes.caps == 0);
+  CHECK((rest.triangles == both.triangles));
+  // A bar instead leaves a hole that is closed flush with the table.
+  Soup bar = joined(table, test::surface_of_cubes(3, 7, 2, [](int, int, int) { return true; }),
+                    {{4, 2, 1}});
+  CHECK(remove_hidden(bar.points, bar.triangles).caps == 2);
+  CHECK(edges_out_of_balance(bar) == 0);
+  CHECK(test::volume(bar) == Approx(11 * 11 + 3 * 7 * 2));
+}
+
+TEST_CASE("Hidden faces are removed from a mesh, which stays closed") {
+  const Soup shape = bottle(0.05);
   test::Mesh mesh = test::make_mesh(shape);
-  const HiddenFaces found = remove_hidden(mesh, options);
-  CHECK(found.is_hidden == hidden(shape, options).is_hidden);
-  CHECK(found.count > 0);
-  CHECK(mesh.number_of_faces() == shape.triangles.size() - found.count);
+  const HiddenRemoval changes = remove_hidden(mesh);
+  CHECK(changes.found.is_hidden == hidden(shape).is_hidden);
+  CHECK(changes.removed > 100);
+  CHECK(changes.caps == 1);
   CHECK(mesh.is_valid());
-  CHECK(hidden_faces(mesh).is_hidden.size() == mesh.number_of_faces());
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(mesh.number_of_faces() == changes.triangles.size());
+  Soup soup = shape;
+  remove_hidden(soup.points, soup.triangles);
+  CHECK(mesh.number_of_faces() == soup.triangles.size());
 }
 
 TEST_CASE("Whoever follows the search can end it, and nothing is removed") {
@@ -257,7 +419,7 @@ TEST_CASE("Whoever follows the search can end it, and nothing is removed") {
   CHECK(fractions.back() == 1);
   options.progress = [](double fraction) { return fraction == 0; };
   Soup soup = shell;
-  CHECK(remove_hidden(soup.points, soup.triangles, options).is_cancelled);
+  CHECK(remove_hidden(soup.points, soup.triangles, options).found.is_cancelled);
   CHECK(soup.triangles == shell.triangles);
 }
 

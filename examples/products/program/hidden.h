@@ -56,6 +56,8 @@ struct HiddenSummary {
   std::size_t faces = 0, hidden = 0; ///< of IN
   double area_fraction = 0;          ///< the hidden area as a fraction of the whole one
   std::size_t cut_edges = 0;
+  std::size_t dropped = 0;        ///< faces
+  std::size_t caps = 0;           ///< loops that were closed
   std::vector<Group> groups = {}; ///< the largest area first
 };
 
@@ -66,11 +68,13 @@ struct HiddenAnswer {
   std::vector<double> importances = {}; ///< empty, or a factor for each point
 };
 
-/// Looks for hidden faces if --hidden asks for it, and prints what it finds. Throws Interrupted.
+/// Looks for hidden faces if --hidden asks for it, and prints what it finds; those to drop leave
+/// edges open. Throws Interrupted.
 HiddenAnswer find_hidden(const Options& options, const quadrille::SoupPoints& points,
                          const quadrille::SoupTriangles& triangles, ProgressLine& progress);
 
-/// Does what --hidden asks for: drops hidden faces, with whatever belongs to them, or only reports
+/// Does what --hidden asks for: drops hidden faces, with whatever belongs to them, and closes the
+/// surface where that opens it, or only reports
 /// them, or gives vertices the more importance the more they are seen. Throws Interrupted.
 std::optional<HiddenSummary> prepare_hidden(Options& options, IndexedMesh& mesh,
                                             ProgressLine& progress);

@@ -198,6 +198,7 @@ Json json_of(const HiddenSummary& hidden) {
   return {{"mode", hidden.mode},          {"threshold", hidden.threshold},
           {"faces", hidden.faces},        {"hidden", hidden.hidden},
           {"area", hidden.area_fraction}, {"cut_edges", hidden.cut_edges},
+          {"dropped", hidden.dropped},    {"caps", hidden.caps},
           {"groups", std::move(groups)}};
 }
 

@@ -6,10 +6,10 @@
 /// here, so that they are not in the WebAssembly: the engine checks the ranges.
 
 #include <quadrille/compiled.h>
+#include <quadrille/compiled/option_field.h>
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -80,22 +80,11 @@ bool set_field(Field& field, double value) {
   if (name == #option) {                                                                           \
     using Field = decltype(options.option);                                                        \
     if (value == #word) {                                                                          \
-      options.option = EnumOf<Field>::word;                                                        \
+      options.option = quadrille::internal::OptionValue<Field>::word;                              \
       return;                                                                                      \
     }                                                                                              \
     words += (words.empty() ? "" : ", ") + std::string(#word);                                     \
   }
-
-template <class Field>
-struct EnumOfField {
-  using Enum = Field;
-};
-template <class Field>
-struct EnumOfField<std::optional<Field>> {
-  using Enum = Field;
-};
-template <class Field>
-using EnumOf = typename EnumOfField<Field>::Enum;
 
 /// A number or a boolean of the options, by the name of its field.
 inline void set_number(Options& options, std::string_view name, double value) {

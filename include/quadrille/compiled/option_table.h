@@ -2,9 +2,9 @@
 #define QUADRILLE_COMPILED_OPTION_TABLE_H
 
 #include <quadrille/channel_options.h>
+#include <quadrille/compiled/option_field.h>
 #include <quadrille/compiled/soup_job.h>
 
-#include <optional>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -47,18 +47,6 @@ struct OptionWord {
   const char* sentence;
   int value; ///< the enumerator
 };
-
-/// The type of a field, without std::optional.
-template <class Field>
-struct OptionField {
-  using Value = Field;
-};
-template <class Field>
-struct OptionField<std::optional<Field>> {
-  using Value = Field;
-};
-template <class Field>
-using OptionValue = typename OptionField<Field>::Value;
 
 /// The options of a call.
 inline constexpr Option call_options[] = {

@@ -2,6 +2,7 @@
 #define QUADRILLE_EXAMPLES_MESH_IO_WELD_H
 
 #include "indexed_mesh.h"
+#include "mesh_values.h"
 
 #include <algorithm>
 #include <array>
@@ -26,10 +27,7 @@ void keep_values(std::vector<Value>& values, const std::vector<bool>& kept) {
 /// Removes the points that are not `kept`; no triangle uses them.
 inline void keep_points(IndexedMesh& mesh, const std::vector<bool>& kept) {
   keep_values(mesh.points, kept);
-  keep_values(mesh.colors, kept);
-  keep_values(mesh.texture_coordinates, kept);
-  for (NamedNumbers& numbers : mesh.vertex_numbers)
-    keep_values(numbers.values, kept);
+  for_each_values_of_points(mesh, [&](auto& values) { keep_values(values, kept); });
   std::vector<std::uint32_t> new_index(kept.size());
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -47,13 +45,10 @@ inline std::size_t keep_triangles(IndexedMesh& mesh, const std::vector<bool>& ke
   if (gone == 0)
     return 0;
   keep_values(mesh.triangles, kept);
-  if (!mesh.value_triangles.empty())
-    keep_values(mesh.value_triangles, kept);
-  keep_values(mesh.corner_textures.triples, kept);
-  keep_values(mesh.corner_normals.triples, kept);
-  keep_values(mesh.parts.of_faces, kept);
-  for (NamedNumbers& numbers : mesh.face_numbers)
-    keep_values(numbers.values, kept);
+  for_each_values_of_triangles(mesh, [&](auto& values) {
+    if (!values.empty())
+      keep_values(values, kept);
+  });
   return gone;
 }
 

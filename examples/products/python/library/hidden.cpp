@@ -1,6 +1,7 @@
 // Faces that are not seen from outside.
 #include "jobs.h"
 
+#include <quadrille/compiled.h>
 #include <quadrille/hidden.h>
 
 #include <array>
@@ -20,6 +21,8 @@ Options options_of(const Work& work) {
   options.directions = static_cast<std::size_t>(work.bag.number("directions"));
   options.front_only = work.bag.flag("front_only");
   options.threads = static_cast<unsigned>(work.bag.number("threads"));
+  if constexpr (requires { options.threshold; })
+    options.threshold = work.bag.number("threshold");
   options.progress = [&work](double fraction) { return work.proceed(fraction); };
   return options;
 }
@@ -30,10 +33,9 @@ Options options_of(const Work& work) {
 /// other, and its area, volume and diagonal.
 void find_hidden(const Work& work) {
   const quadrille_bag& bag = work.bag;
-  auto options = options_of<quadrille::HiddenOptions>(work);
-  options.threshold = bag.number("threshold");
-  const quadrille::HiddenFaces found = quadrille::hidden_faces(
-      bag.rows<double, 3>("points"), bag.rows<std::uint32_t, 3>("faces"), options);
+  const quadrille::HiddenFaces found =
+      quadrille::hidden_faces(bag.rows<double, 3>("points"), bag.rows<std::uint32_t, 3>("faces"),
+                              options_of<quadrille::HiddenOptions>(work));
   std::vector<std::string> kinds;
   std::vector<std::int64_t> faces, ends;
   std::vector<std::array<double, 3>> sizes;
@@ -51,6 +53,26 @@ void find_hidden(const Work& work) {
   work.bag.give("sizes", std::move(sizes));
   work.bag.give_numbers("figures", found.area, found.whole_area, found.cut_edges,
                         found.is_cancelled);
+}
+
+/// Gives what is left without hidden faces: the added points, the corners of all faces, for each
+/// face the one of the input that it is or is next to, and for each added point one next to it.
+void remove_hidden(const Work& work) {
+  const auto given_points = work.bag.rows<double, 3>("points");
+  const auto given_faces = work.bag.rows<std::uint32_t, 3>("faces");
+  quadrille::SoupPoints points(given_points.begin(), given_points.end());
+  quadrille::SoupTriangles faces(given_faces.begin(), given_faces.end());
+  const quadrille::HiddenRemoval changes =
+      quadrille::remove_hidden(points, faces, options_of<quadrille::HiddenOptions>(work));
+  std::vector<std::int64_t> origins;
+  for (const auto& origin : changes.origins)
+    origins.push_back(static_cast<std::int64_t>(origin[0]));
+  work.bag.give("added",
+                quadrille::SoupPoints(points.end() - std::ptrdiff_t(origins.size()), points.end()));
+  work.bag.give("faces", std::move(faces));
+  work.bag.give("sources",
+                std::vector<std::int64_t>(changes.triangles.begin(), changes.triangles.end()));
+  work.bag.give("origins", std::move(origins));
 }
 
 /// Gives the fraction that is visible of each face and of each point.

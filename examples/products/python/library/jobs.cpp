@@ -50,7 +50,7 @@ void give_winding(const Work& work) {
 using Job = void (*)(const Work&);
 
 Job job_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, Job>, 10> jobs{
+  constexpr std::array<std::pair<std::string_view, Job>, 11> jobs{
       {{"read_mesh", read_file},
        {"write_mesh", write_file},
        {"surface_distance", measure_distance},
@@ -60,6 +60,7 @@ Job job_of(std::string_view name) {
        {"view_importance", give_view},
        {"winding", give_winding},
        {"hidden_faces", find_hidden},
+       {"remove_hidden", remove_hidden},
        {"visibility", find_visibility}}};
   for (const auto& [known, job] : jobs)
     if (known == name)

@@ -37,6 +37,7 @@ void write_file(const Work& work);
 void measure_distance(const Work& work);
 void verify_result(const Work& work);
 void find_hidden(const Work& work);
+void remove_hidden(const Work& work);
 void find_visibility(const Work& work);
 void simplify_document(const Work& work);
 

@@ -789,6 +789,14 @@ def hidden_faces(points: Array, faces: Array, directions: int, front_only: bool,
     return taken["is_hidden"].astype(bool), groups, taken["figures"].tolist()
 
 
+def remove_hidden(points: Array, faces: Array, directions: int, front_only: bool, threads: int, threshold: float,
+                  progress: Any) -> Tuple[Array, Array, Array, Array]:
+    bag = Bag(points=points, faces=faces, directions=directions, front_only=front_only, threads=threads,
+              threshold=threshold)
+    taken = _do_with_progress(bag, "remove_hidden", progress)
+    return taken["added"], taken["faces"], taken["sources"], taken["origins"]
+
+
 def visibility(points: Array, faces: Array, directions: int, front_only: bool, threads: int, least: float,
                progress: Any) -> Tuple[Array, Array, Array]:
     bag = Bag(points=points, faces=faces, directions=directions, front_only=front_only, threads=threads, least=least)

@@ -241,6 +241,10 @@ def hidden_faces(
     points: Array, faces: Array, directions: int, front_only: bool, threads: int, threshold: float,
     progress: Optional[Callable[[float], Optional[bool]]]
 ) -> Tuple[Array, List[Tuple[str, Array, float, float, float]], List[float]]: ...
+def remove_hidden(
+    points: Array, faces: Array, directions: int, front_only: bool, threads: int, threshold: float,
+    progress: Optional[Callable[[float], Optional[bool]]]
+) -> Tuple[Array, Array, Array, Array]: ...
 def visibility(
     points: Array, faces: Array, directions: int, front_only: bool, threads: int, least: float,
     progress: Optional[Callable[[float], Optional[bool]]]

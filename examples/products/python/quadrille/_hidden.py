@@ -97,29 +97,38 @@ def hidden_faces(points: Surface, triangles: Optional[ArrayLike] = None, /, *, t
 
     Raises ValueError if an argument is wrong.
     """
-    mesh = as_mesh(points if triangles is None else (points, triangles))
-    return _hidden(mesh, threshold, directions, front_only, threads, progress)
+    given = _given(as_mesh(points if triangles is None else (points, triangles)), directions, front_only, threads)
+    is_hidden, groups, figures = _core.hidden_faces(*given, read_number("threshold", threshold),
+                                                    function_of("progress", progress))
+    return HiddenFaces(is_hidden, [HiddenGroup(*group) for group in groups], figures[0], figures[1], int(figures[2]),
+                       figures[3] != 0)
 
 
 @in_our_words
 def remove_hidden(points: Surface, triangles: Optional[ArrayLike] = None, /, *, threshold: float = 0.001,
                   directions: int = 64, front_only: bool = False, threads: int = 1,
                   progress: Progress = None) -> Mesh:
-    """Returns a Mesh without the faces that hidden_faces() finds. All points, and all attributes and labels of the
-    other faces, stay as they are; simplify() drops points without faces.
+    """Returns a Mesh without the faces that hidden_faces() finds, closed where that opens it: each loop of edges between
+    hidden faces and others gets a cap, so a closed surface stays closed. Points stay, and added ones follow them;
+    other faces keep their attributes and labels, and what is added has those of what is next to it. simplify() drops
+    points without faces.
 
         small = quadrille.simplify(quadrille.remove_hidden(mesh), faces=1000)
 
     The arguments are those of hidden_faces().
     """
     mesh = as_mesh(points if triangles is None else (points, triangles))
-    keep = ~_hidden(mesh, threshold, directions, front_only, threads, progress).is_hidden
-    channels = {name: _of_faces(getattr(mesh, name), keep) for name in ("uv", "normals", "colors")}
-    return Mesh(points=np.asarray(mesh.points), faces=np.asarray(mesh.faces)[keep], **channels,
-                attributes={name: _of_faces(values, keep) for name, values in mesh.attributes.items()},
-                labels=None if mesh.labels is None else np.asarray(mesh.labels)[keep], remarks=list(mesh.remarks),
+    added, faces, sources, origins = _core.remove_hidden(*_given(mesh, directions, front_only, threads),
+                                                         read_number("threshold", threshold),
+                                                         function_of("progress", progress))
+    all_points = np.asarray(mesh.points)
+    channels = {name: _followed(getattr(mesh, name), sources, origins) for name in ("uv", "normals", "colors")}
+    return Mesh(points=np.concatenate([all_points, added.astype(all_points.dtype).reshape(-1, 3)]),
+                faces=faces.astype(np.asarray(mesh.faces).dtype), **channels,
+                attributes={name: _followed(values, sources, origins) for name, values in mesh.attributes.items()},
+                labels=None if mesh.labels is None else np.asarray(mesh.labels)[sources], remarks=list(mesh.remarks),
                 _is_split=mesh._is_split, _source=mesh._source,
-                _source_faces=None if mesh._source_faces is None else mesh._source_faces[keep])
+                _source_faces=None if mesh._source_faces is None else mesh._source_faces[sources])
 
 
 @in_our_words
@@ -137,25 +146,21 @@ def visibility(points: Surface, triangles: Optional[ArrayLike] = None, /, *, dir
     return Visibility(*_core.visibility(*given, 1 / 512, function_of("progress", progress)))
 
 
-def _hidden(mesh: Mesh, threshold: float, directions: int, front_only: bool, threads: int,
-            progress: Progress) -> HiddenFaces:
-    given = _given(mesh, directions, front_only, threads)
-    is_hidden, groups, figures = _core.hidden_faces(*given, read_number("threshold", threshold),
-                                                    function_of("progress", progress))
-    return HiddenFaces(is_hidden, [HiddenGroup(*group) for group in groups], figures[0], figures[1], int(figures[2]),
-                       figures[3] != 0)
-
-
 def _given(mesh: Mesh, directions: int, front_only: bool, threads: int) -> Tuple[Array, Array, int, bool, int]:
     points = _arrays.real_rows("points", mesh.points, 3)
     faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
     return points, faces, read_count("directions", directions), bool(front_only), read_count("threads", threads)
 
 
-def _of_faces(values: Any, keep: Array) -> Optional[Values]:
-    """The values of some faces: those of points stay."""
-    if isinstance(values, Channel) and values.indices is not None:
-        return dataclasses.replace(values, indices=np.asarray(values.indices)[keep])
+def _followed(values: Any, sources: Array, origins: Array) -> Optional[Values]:
+    """The values of the points, and of added ones; or of the corners of the faces, and of added ones."""
+    if values is None or (not isinstance(values, (Channel, tuple)) and len(values) == 0):
+        return values
+    if isinstance(values, Channel):
+        if values.indices is not None:
+            return dataclasses.replace(values, indices=np.asarray(values.indices)[sources])
+        return dataclasses.replace(values, values=_followed(values.values, sources, origins))
     if isinstance(values, tuple):
-        return values[0], np.asarray(values[1])[keep]
-    return values
+        return values[0], np.asarray(values[1])[sources]
+    of_points = np.asarray(values)
+    return np.concatenate([of_points, of_points[origins]])

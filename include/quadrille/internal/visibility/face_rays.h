@@ -71,6 +71,7 @@ public:
   /// they are.
   struct Sets {
     std::size_t first, count;
+    std::size_t share = 1; ///< 4: only the first quarter of each
   };
 
   /// Sends rays from several faces, which should be near each other: all rays of some sets of
@@ -83,9 +84,10 @@ public:
       looks.push_back({slot, sets.first + sets.count * units(slot), normal(slot),
                        tree_.corners(slot), &counts(slot)});
     for (std::size_t round = sets.first; !looks.empty(); ++round) {
-      for (std::size_t begin = 0; begin < directions_.size(); begin += batch) {
+      const std::size_t size = directions_.size() / sets.share;
+      for (std::size_t begin = 0; begin < size; begin += batch) {
         std::erase_if(looks, [&](const Look& look) { return is_enough(*look.counts); });
-        const std::size_t end = (std::min)(begin + batch, directions_.size());
+        const std::size_t end = (std::min)(begin + batch, size);
         for (std::size_t i = begin; i < end; ++i)
           send_along(i, round, looks);
       }
@@ -103,6 +105,29 @@ public:
   Vector<3> normal(std::size_t slot) const {
     const auto [a, b, c] = tree_.corners(slot);
     return cross(b - a, c - a);
+  }
+
+  /// Returns how many units of area a face has, at least one.
+  std::size_t units(std::size_t slot) const {
+    return static_cast<std::size_t>(
+        std::clamp(std::round(areas_[slot] / unit_area_), 1.0, most_units));
+  }
+  double unit_area() const { return 0.5 * unit_area_; } // areas_ are doubled
+  /// Does only its front count?
+  bool is_covered(std::size_t slot) const { return is_covered_[slot]; }
+
+  /// Returns the i-th point of an evenly spread sequence over a triangle. Source: Roberts, The
+  /// unreasonable effectiveness of quasirandom sequences, 2018.
+  static Vector<3> point(const std::array<Vector<3>, 3>& corners, std::size_t i) {
+    constexpr double x_step = 0.7548776662466927, y_step = 0.5698402909980532;
+    const auto fraction = [&](double step) {
+      const double x = 0.5 + static_cast<double>(i) * step;
+      return x - std::floor(x);
+    };
+    double s = fraction(x_step), t = fraction(y_step);
+    if (s + t > 1)
+      s = 1 - s, t = 1 - t;
+    return (1 - s - t) * corners[0] + s * corners[1] + t * corners[2];
   }
 
 private:
@@ -139,8 +164,9 @@ private:
     if (side == 1 && is_covered_[look.slot])
       return;
     ++counts.rays[side];
+    const auto is_own = [&](std::size_t slot) { return slot == look.slot; };
     const Ray ray(point(look.corners, look.slot + number), direction);
-    counts.free[side] += tree_.is_blocked(ray, look.slot, recent) ? 0 : 1;
+    counts.free[side] += tree_.is_blocked(ray, is_own, recent) ? 0 : 1;
   }
 
   // Finds faces that have a reverse: the same corners in the other order.
@@ -167,25 +193,6 @@ private:
         for (std::size_t i = begin; i < end; ++i)
           is_covered_[faces[i].slot] = true;
     }
-  }
-
-  std::size_t units(std::size_t slot) const {
-    return static_cast<std::size_t>(
-        std::clamp(std::round(areas_[slot] / unit_area_), 1.0, most_units));
-  }
-
-  // An evenly spread sequence over the triangle. Source: Roberts, The unreasonable effectiveness of
-  // quasirandom sequences, 2018.
-  static Vector<3> point(const std::array<Vector<3>, 3>& corners, std::size_t i) {
-    constexpr double x_step = 0.7548776662466927, y_step = 0.5698402909980532;
-    const auto fraction = [&](double step) {
-      const double x = 0.5 + static_cast<double>(i) * step;
-      return x - std::floor(x);
-    };
-    double s = fraction(x_step), t = fraction(y_step);
-    if (s + t > 1)
-      s = 1 - s, t = 1 - t;
-    return (1 - s - t) * corners[0] + s * corners[1] + t * corners[2];
   }
 
   const RayTree& tree_;

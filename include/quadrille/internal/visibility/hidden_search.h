@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/threads.h>
+#include <quadrille/internal/visibility/depth_pictures.h>
 #include <quadrille/internal/visibility/face_rays.h>
 #include <quadrille/internal/visibility/ray_tree.h>
 #include <quadrille/quadric_form.h>
@@ -22,19 +23,21 @@ namespace quadrille::internal {
 
 /// Decides which faces of a surface are seen: those with a fraction of free rays above a threshold.
 ///
-/// Every face first gets a few rays. Faces of which only a few are free, and unseen ones next to
-/// seen ones, are *refined*: they get several times as many, until nothing more turns out to be
-/// seen. So what is seen through an opening is found where one of its faces is. Refined neighbours
-/// on a smooth surface have about the same fraction, so it counts for them together, too.
+/// Every face first gets the rays of pictures. Those that are not seen there get a few more of
+/// their own, in other directions for each of their neighbours, and those that are in too few
+/// pictures get all rays. Faces of which only a few are free, and unseen ones next to seen ones,
+/// are *refined*: they get several times as many, until nothing more turns out to be seen. So what
+/// is seen through an opening is found where one of its faces is. Refined neighbours on a smooth
+/// surface have about the same fraction, so it counts for them together, too.
 class HiddenSearch {
 public:
   /// Triangles of `surface` are connected if they name the same point. A face is seen if its
   /// fraction of free rays is above the threshold.
   HiddenSearch(const SurfaceView& surface, std::size_t directions, double threshold,
                bool is_front_only)
-      : tree_(surface), rays_(tree_, directions, {is_front_only, threshold}), threshold_(threshold),
-        counts_(tree_.size()), is_seen_(tree_.size()), is_refined_(tree_.size()),
-        vertex_is_seen_(surface.points.size()) {
+      : tree_(surface), rays_(tree_, directions, {is_front_only, threshold}),
+        pictures_(tree_, rays_, directions / 2), threshold_(threshold), counts_(tree_.size()),
+        is_seen_(tree_.size()), is_refined_(tree_.size()), vertex_is_seen_(surface.points.size()) {
     for (std::size_t slot = 0; slot < tree_.size(); ++slot)
       triangles_.push_back(surface.triangles[tree_.face(slot)]);
     list_corners();
@@ -45,7 +48,11 @@ public:
     FaceWork work(threads, progress);
     std::vector<Index> slots(tree_.size());
     std::iota(slots.begin(), slots.end(), Index{0});
-    if (!look(work, slots, {0, 1}, 0, first_share))
+    if (!pictures_.look(threads, counts_,
+                        [&](double done) { return !progress || progress(picture_share * done); }))
+      return false;
+    if (!look(work, unseen_slots(true), {0, 1, pictured_share}, picture_share, pictured_end) ||
+        !look(work, unseen_slots(false), {0, 1}, pictured_end, first_share))
       return false;
     if (!look(work, doubtful_slots(), {1, refinement}, first_share, second_share))
       return false;
@@ -68,13 +75,32 @@ public:
 
 private:
   static constexpr std::size_t refinement = 16;
-  static constexpr double first_share = 0.8, second_share = 0.9; // shares of the time
+  static constexpr std::size_t pictured_share = 8; // of the rays of others
+  static constexpr double picture_share = 0.5, pictured_end = 0.75, first_share = 0.8,
+                          second_share = 0.9; // shares of the time
 
   bool look(FaceWork& work, std::span<const Index> slots, const FaceRays::Sets& sets, double begin,
             double end) {
     return work(slots, begin, end, [&](std::span<const Index> some) {
       rays_.look(some, sets, [&](Index slot) -> RayCounts& { return counts_[slot]; });
     });
+  }
+
+  // Returns faces that are not certainly seen in pictures, and are in enough of them, or are not.
+  std::vector<Index> unseen_slots(bool are_pictured) {
+    std::vector<Index> slots;
+    for (Index slot = 0; slot < tree_.size(); ++slot) {
+      if (pictures_.is_tied(slot))
+        counts_[slot] = {};
+      if (!rays_.is_enough(counts_[slot]) && is_pictured(slot) == are_pictured)
+        slots.push_back(slot);
+    }
+    return slots;
+  }
+  bool is_pictured(Index slot) const {
+    const std::size_t sides = rays_.is_covered(slot) ? 1 : 2,
+                      most = sides * pictures_.size() * rays_.units(slot);
+    return 2 * std::size_t{counts_[slot].all()} >= most;
   }
 
   // Without a threshold, one free ray is enough.
@@ -169,6 +195,7 @@ private:
 
   RayTree tree_;
   FaceRays rays_;
+  DepthPictures pictures_;
   double threshold_;
   std::vector<RayCounts> counts_;               // by slots
   std::vector<std::array<Index, 3>> triangles_; // by slots

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -59,20 +60,23 @@ public:
     return bits;
   }
 
-  /// Does the ray hit a triangle further from its origin than `least`? Edges and corners belong to
-  /// the triangle. The test of an edge has the same bits for both of its triangles, so no ray
-  /// passes between them. Source: Jiménez, Segura and Feito, A robust segment/triangle intersection
-  /// algorithm for interference tests, 2010 (signs of volumes).
-  bool hits(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r, double least) const {
+  Ray reversed() const { return {origin_, -1.0 * direction_}; }
+
+  /// Returns how far away the ray hits a triangle, in lengths of its direction; a negative number
+  /// if it does not. Edges and corners belong to the triangle. The test of an edge has the same
+  /// bits for both of its triangles, so no ray passes between them. Source: Jiménez, Segura and
+  /// Feito, A robust segment/triangle intersection algorithm for interference tests, 2010 (signs of
+  /// volumes).
+  double distance(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     const Vector<3> a = p - origin_, b = q - origin_, c = r - origin_;
     const Vector<3> bc = cross(b, c);
     const double u = dot(direction_, bc), v = dot(direction_, cross(c, a)),
                  w = dot(direction_, cross(a, b));
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0))
-      return false;
+      return -1;
     const double volume = u + v + w;
     const double height = dot(a, cross(b - a, c - a));
-    return volume != 0 && height / volume > least;
+    return volume != 0 ? height / volume : -1;
   }
 
 private:
@@ -109,17 +113,41 @@ public:
   Index face(std::size_t slot) const { return faces_[slot]; }
   /// Returns numbers of the corners of a face, which mean something for this tree only.
   const Triangle& triangle(std::size_t slot) const { return triangles_[slot]; }
+  const std::vector<Vector<3>>& points() const { return points_; }
   std::array<Vector<3>, 3> corners(std::size_t slot) const {
     const auto [a, b, c] = triangles_[slot];
     return {points_[a], points_[b], points_[c]};
   }
 
-  /// Is any triangle but the one in slot `own` in the way? `recent`, the block of slots in which
-  /// something was last, is looked at first: the answer does not depend on it, only the time.
-  bool is_blocked(const Ray& ray, std::size_t own, Index& recent) const {
-    if (recent != none && levels_.size() > 1 && descend(1, recent, ray, own, recent))
+  /// Is any triangle in the way, but those for which ignores(slot) is true? `recent`, the block of
+  /// slots in which something was last, is looked at first: the answer does not depend on it, only
+  /// the time.
+  template <class Ignores>
+  bool is_blocked(const Ray& ray, const Ignores& ignores, Index& recent) const {
+    const auto blocks = [&](std::size_t slot) {
+      return !ignores(slot) && distance(slot, ray) > least_distance;
+    };
+    if (recent != none && levels_.size() > 1 && descend(1, recent, ray, blocks, recent))
       return true;
-    return !levels_.empty() && descend(levels_.size() - 1, 0, ray, own, recent);
+    return !levels_.empty() && descend(levels_.size() - 1, 0, ray, blocks, recent);
+  }
+
+  /// Returns the slot of the first triangle in the way for which ignores(slot) is false, or none.
+  template <class Ignores>
+  Index nearest(const Ray& ray, const Ignores& ignores) const {
+    Index first = none, recent = none;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto look = [&](std::size_t slot) {
+      if (const double there = ignores(slot) ? -1 : distance(slot, ray);
+          there > least_distance && there < nearest) {
+        nearest = there;
+        first = static_cast<Index>(slot);
+      }
+      return false;
+    };
+    if (!levels_.empty())
+      descend(levels_.size() - 1, 0, ray, look, recent);
+    return first;
   }
 
 private:
@@ -203,12 +231,13 @@ private:
     return box;
   }
 
-  bool descend(std::size_t level, std::size_t block, const Ray& ray, std::size_t own,
+  // Visits triangles until a call returns true.
+  template <class Visit>
+  bool descend(std::size_t level, std::size_t block, const Ray& ray, const Visit& visit,
                Index& recent) const {
     for (std::uint32_t hits = ray.hits(levels_[level][block]); hits != 0; hits &= hits - 1) {
       const std::size_t slot = block * width + static_cast<std::size_t>(std::countr_zero(hits));
-      if (level > 0 ? descend(level - 1, slot, ray, own, recent)
-                    : slot != own && blocks(slot, ray)) {
+      if (level > 0 ? descend(level - 1, slot, ray, visit, recent) : visit(slot)) {
         if (level == 1)
           recent = static_cast<Index>(block);
         return true;
@@ -217,9 +246,9 @@ private:
     return false;
   }
 
-  bool blocks(std::size_t slot, const Ray& ray) const {
+  double distance(std::size_t slot, const Ray& ray) const {
     const auto [a, b, c] = triangles_[slot];
-    return ray.hits(points_[a], points_[b], points_[c], least_distance);
+    return ray.distance(points_[a], points_[b], points_[c]);
   }
 
   std::vector<Vector<3>> points_;
