@@ -2,9 +2,9 @@
 """Surfaces as generators of shapes make them, by the program quadrille.
 
   generated.py matrix PROGRAM [SEED...]   what must hold of each result, for many surfaces
-  generated.py table PROGRAM N...         faces, seconds and distances beside meshoptimizer and VTK
+  generated.py table PROGRAM N|FILE...    faces, seconds and distances beside meshoptimizer and VTK
 
-The surfaces are those of gen_shell.py in the folder that QUADRILLE_CASES names. `matrix` prints each
+The surfaces are those of gen_shell.py in the folder that QUADRILLE_CASES names, or in binary PLY files. `matrix` prints each
 failure and fails if there is any; `table` prints rows of Markdown. Both need numpy, `table` also the
 packages libmeshoptimizer-dev and python3-vtk9 of Debian.
 """
@@ -28,16 +28,24 @@ def generate(path, n, seed, tunnels=0.002, floaters=200, rounds=3):
     subprocess.run([sys.executable, GENERATOR, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
 
 
+TYPES = {b"uchar": "u1", b"float": "<f4", b"double": "<f8", b"int": "<i4", b"uint": "<u4"}
+
+
 def read_ply(path):
-    """Points and triangles of a binary PLY file of floats without anything else."""
+    """Points and triangles of a binary PLY file."""
     with open(path, "rb") as file:
-        counts = {}
+        elements = {}
         while (line := file.readline().split()) != [b"end_header"]:
             if line[0] == b"element":
-                counts[line[1]] = int(line[2])
-        points = np.fromfile(file, "<f4", 3 * counts[b"vertex"]).reshape(-1, 3).astype(np.float64)
-        rows = np.fromfile(file, np.dtype([("k", "u1"), ("v", "<i4", 3)]), counts[b"face"])
-    return points, rows["v"]
+                elements[line[1]] = int(line[2]), (fields := [])
+            elif line[:2] == [b"property", b"list"]:
+                fields += [("k", TYPES[line[2]]), ("v", TYPES[line[3]], 3)]
+            elif line[0] == b"property":
+                fields.append((line[2].decode(), TYPES[line[1]]))
+        rows = {name: np.fromfile(file, np.dtype(fields), count) for name, (count, fields) in elements.items()}
+    vertices = rows[b"vertex"]
+    assert (rows[b"face"]["k"] == 3).all()
+    return np.stack([vertices[x].astype(np.float64) for x in "xyz"], 1), rows[b"face"]["v"].astype(np.int32)
 
 
 def write_ply(path, points, triangles):
@@ -201,13 +209,16 @@ def row(name, asked, got, seconds, points, triangles, result):
           f"{(counts > 2).sum():,} | {rms:.2f} |", flush=True)
 
 
-def table(program, sizes):
+def table(program, surfaces):
     print("| faces | asked | by | got | seconds | open edges | edges of more than two faces | RMS, voxels |\n"
           "|--:|--:|---|--:|--:|--:|--:|--:|")
     with tempfile.TemporaryDirectory() as folder:
-        path, out = os.path.join(folder, "in.ply"), os.path.join(folder, "out.ply")
-        for size in sizes:
-            generate(path, size, 1)
+        out = os.path.join(folder, "out.ply")
+        for surface in surfaces:
+            path = surface
+            if surface.isdigit():
+                path = os.path.join(folder, "in.ply")
+                generate(path, int(surface), 1)
             points, triangles = read_ply(path)
             for faces in (len(triangles) // 10, 20000, 2000):
                 for name, options in (("quadrille", []), ("quadrille --preset generated", ["--preset", "generated"])):
@@ -224,6 +235,8 @@ if __name__ == "__main__":
     if len(sys.argv) < 3 or sys.argv[1] not in ("matrix", "table"):
         sys.exit(__doc__)
     program = os.path.abspath(sys.argv[2])
-    numbers = [int(word) for word in sys.argv[3:]]
-    is_good = matrix(program, numbers or [11, 12, 13, 14]) if sys.argv[1] == "matrix" else table(program, numbers or [200])
+    if sys.argv[1] == "matrix":
+        is_good = matrix(program, [int(word) for word in sys.argv[3:]] or [11, 12, 13, 14])
+    else:
+        is_good = table(program, sys.argv[3:] or ["200"])
     sys.exit(0 if is_good else 1)
