@@ -90,7 +90,8 @@ public:
   }
 
   /// Does the cheapest cost less than `limit`, and leave the surface at the target or before it? If
-  /// it would go beyond, it has to wait, with all that are more costly, for the last resort.
+  /// it would go beyond, it has to wait, with all that are more costly, for the last resort. Pairs
+  /// come first even then, as they go beyond it by less, if they do not cost too much more.
   bool has_below(double limit, bool is_last_resort) {
     return !heap_.empty() && has_cheap(static_cast<float>(limit), is_last_resort);
   }
@@ -155,7 +156,7 @@ private:
       if (lists_.left() < 2)
         take(); // for good
       else if (!has_become_costlier())
-        return is_last_resort || !has_to_wait(component);
+        return !has_to_wait(component) || (is_last_resort && is_too_costly(limit));
     }
     return false;
   }
