@@ -132,26 +132,31 @@ inline namespace QUADRILLE_THREADING {
 /// Cuts a soup at tunnels and handles up to a size, and closes it there: a manifold stays one,
 /// closed where it was, with a handle less for each cut.
 ///
-/// Wherever a loop of edges that is at most three sizes long runs round a tunnel or a handle, the
+/// Wherever a loop of edges that is no wider than the size runs round a tunnel or a handle, the
 /// surface is cut along it and closed on both sides: by a triangle each, or by a fan round a point
 /// in the middle of the loop. A tunnel then ends in two dents, and a handle in two stumps, which
 /// simplify() takes away at their price. A tunnel that joins two parts of the surface, as the outer
 /// wall of a shell and its inner one, is the last that does so once others are cut; it is cut if
-/// both parts are wider than the size, by four times the volume over the area, and reach three and
-/// a half sizes away from the tunnel. Nothing else is parted: limbs stay however thin they are.
+/// both parts are wider than the size, by four times the volume over the area, and reach five sizes
+/// away from the tunnel. Nothing else is parted: limbs stay however thin they are. A surface that
+/// encloses a negative volume as a whole is taken for one that is oriented inwards.
 ///
-/// **What is promised.** No loop is cut that is longer than three sizes, and after the call no
-/// handle has a loop of edges that is shorter, up to the search: it finds the shortest one through
-/// a vertex, and draws it tight at its vertices. So a tunnel of circular cross-section with the
-/// diameter d, of which the loop is 3.1 d long, or of a square one with the side d, 4 d long, is
-/// cut with a size of 1.5 d, and not with 0.8 d. Where edges are long or run askew, loops of edges
-/// are longer than the tunnel is wide. Loops through points of which the triangles do not form one
-/// disc that is oriented alike are not found: see make_manifold().
+/// The width of a loop is four times the area inside it over its length, but at least a quarter of
+/// the length: the side of a square, the diameter of a circle, half the sum of the sides of an
+/// oblong rectangle. A tunnel is as wide as the loop round its narrowest place.
+///
+/// **What is promised.** No loop is cut that is wider than the size, and after the call no handle
+/// has a narrower loop of edges, up to the search: it finds the shortest one through a vertex, and
+/// draws it tight at its vertices. Where edges are long or run askew, loops of edges are longer
+/// than the tunnel is wide, and where they are coarse, a round tunnel is narrower than its circle:
+/// sizes between two thirds and one and a half of its width may cut it or not. Loops through points
+/// of which the triangles do not form one disc that is oriented alike are not found: see
+/// make_manifold().
 ///
 /// No point moves. Points and triangles keep their indices; added ones come behind them. The
 /// containers are those of simplify() that can grow. Where the surface is a disc three and a half
-/// sizes around, this takes a few visits of each vertex; around tunnels, and where limbs are thin, a
-/// search from one vertex in each ball of one size.
+/// sizes around, this takes a few visits of each vertex; around tunnels, and where limbs are thin,
+/// a search from one vertex in each ball of one size.
 ///
 /// `is_kept`: empty, or for each point whether nothing is cut there. `threads`: the result does not
 /// depend on it; more than one need oneTBB.
@@ -168,8 +173,7 @@ HandleChanges cut_handles(Points& points, Triangles& triangles, double size,
                           const std::vector<bool>& is_kept = {}, unsigned threads = 1) {
   using Point = std::ranges::range_value_t<Points>;
   constexpr const char* function = "quadrille::cut_handles";
-  const TriangleSoup<> surface =
-      internal::read_surface(function, points, triangles);
+  const TriangleSoup<> surface = internal::read_surface(function, points, triangles);
   const internal::HandleCuts cuts(surface, internal::valid_size(size), is_kept,
                                   internal::threads_of(function, threads));
   HandleChanges changes = internal::changes_of(cuts, surface.triangles.size());

@@ -18,11 +18,11 @@
 
 namespace quadrille::internal {
 
-/// Cuts a surface along loops up to a length that run round tunnels and handles.
+/// Cuts a surface along loops up to a width that run round tunnels and handles.
 ///
 /// Vertices are taken in their order, and the surroundings of each searched for loops, but for
 /// those that lie so close to an earlier one that a loop through them was in reach from there. A
-/// loop is drawn tight before it is judged by its length: it gives way to the shortest one through
+/// loop is drawn tight before it is judged by its width: it gives way to the shortest one through
 /// its vertices. Tunnels come first: once they are filled, walls between them are no handles.
 class HandleCuts {
 public:
@@ -31,13 +31,12 @@ public:
       added; ///< the two vertices in the middle of which each lies; twice one for a copy
   std::vector<Index> like; ///< for each added face, a face next to it
 
-  /// `size`: a third of the length of the longest loop. `is_kept`: empty, or of each vertex whether
-  /// no loop may go through it.
+  /// `size`: the width of the widest loop. `is_kept`: empty, or of each vertex whether no loop may
+  /// go through it.
   HandleCuts(const SurfaceView& surface, double size, const std::vector<bool>& is_kept,
              Threads threads)
       : surface_(surface, is_kept), loops_(surface_), shorter_(surface_), sides_(surface_),
-        size_(size), longest_(3 * size), slack_(longest_ / 3),
-        is_covered_(surface_.vertices(), 0) {
+        size_(size), longest_(4 * size), slack_(longest_ / 3), is_covered_(surface_.vertices(), 0) {
     with_threads(threads, [&] { cover_discs(threads); });
     for (Index v = 0; v < surface_.vertices(); ++v) // also those that are added
       search_from(v);
@@ -115,7 +114,7 @@ private:
         return false;
       Cut cut{std::move(loop), kind};
       draw_tight(cut);
-      if (cut.loop.length <= longest_)
+      if (width_of(surface_, cut.loop) <= size_)
         found = std::move(cut);
       return found.has_value();
     });
@@ -124,7 +123,7 @@ private:
   double radius() const { return longest_ / 2 + slack_; }
   // A limb is also what waits until the tunnels are cut.
   LoopKind kind_of(const EdgeLoop& loop) {
-    if (only_tunnels_ && !is_round_tunnel(surface_, loop)) {
+    if (only_tunnels_ && !sides_.is_round_tunnel(loop)) {
       has_handles_ |= !sides_.is_in_disc(loop);
       return LoopKind::limb;
     }
@@ -134,15 +133,16 @@ private:
   void draw_tight(Cut& cut) {
     const std::vector<Index> half_edges = cut.loop.half_edges;
     for (const Index h : half_edges)
-      shorter_.search(surface_.origin(h), cut.loop.length / 2, [&](EdgeLoop other) {
-        if (other.length >= cut.loop.length)
-          return false;
-        const LoopKind kind = kind_of(other);
-        if (kind == LoopKind::limb)
-          return false;
-        cut = {std::move(other), kind};
-        return true;
-      });
+      shorter_.search(surface_.origin(h), (std::min)(cut.loop.length, longest_) / 2,
+                      [&](EdgeLoop other) {
+                        if (other.length >= cut.loop.length)
+                          return false;
+                        const LoopKind kind = kind_of(other);
+                        if (kind == LoopKind::limb)
+                          return false;
+                        cut = {std::move(other), kind};
+                        return true;
+                      });
   }
 
   void cut(const Cut& at) {

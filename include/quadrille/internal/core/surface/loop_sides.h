@@ -22,14 +22,14 @@ enum class LoopKind {
   limb    ///< they are two parts, of which one is narrow, or is joined to the other by a limb
 };
 
-/// Does a loop run round a tunnel, and not round a limb? The normals of the faces next to it then
-/// lean towards its middle, on a surface that is oriented outwards.
-inline bool is_round_tunnel(const HalfEdges& surface, const EdgeLoop& loop) {
+/// How much the normals of the faces next to a loop lean towards its middle: positive round a
+/// tunnel, and negative round a limb, on a surface that is oriented outwards.
+inline double inward_lean(const HalfEdges& surface, const EdgeLoop& loop) {
   Vector<3> middle{};
   for (const Index h : loop.half_edges)
     middle += surface.point(surface.origin(h));
   middle = 1. / static_cast<double>(loop.half_edges.size()) * middle;
-  double leaning = 0;
+  double lean = 0;
   for (const Index h : loop.half_edges) {
     const Vector<3> inwards =
         middle - 0.5 * (surface.point(surface.origin(h)) + surface.point(surface.target(h)));
@@ -38,10 +38,21 @@ inline bool is_round_tunnel(const HalfEdges& surface, const EdgeLoop& loop) {
       const Vector<3> normal =
           double_area_vector(surface.point(a), surface.point(b), surface.point(c));
       const double length = std::sqrt(squared_length(normal));
-      leaning += length > 0 ? dot(normal, inwards) / length : 0;
+      lean += length > 0 ? dot(normal, inwards) / length : 0;
     }
   }
-  return leaning > 0;
+  return lean;
+}
+
+/// The width of a loop, which is the side of a square and the diameter of a circle: four times the
+/// area inside over the length, as that of a tube, but at least a quarter of the length.
+inline double width_of(const HalfEdges& surface, const EdgeLoop& loop) {
+  const Vector<3>& origin = surface.point(surface.origin(loop.half_edges.front()));
+  Vector<3> doubled_area{};
+  for (const Index h : loop.half_edges)
+    doubled_area += double_area_vector(origin, surface.point(surface.origin(h)),
+                                       surface.point(surface.target(h)));
+  return (std::max)(loop.length / 4, 2 * std::sqrt(squared_length(doubled_area)) / loop.length);
 }
 
 /// The parts of a surface on both sides of loops.
@@ -54,15 +65,26 @@ class LoopSides {
 public:
   explicit LoopSides(const HalfEdges& surface) : surface_(surface) {
     grow();
+    double volume = 0;
     for (Index face = 0; face < surface.faces(); ++face)
-      if (component_[face] == none)
+      if (component_[face] == none) {
         add_component(face);
+        volume += shapes_.back().volume;
+      }
+    is_inside_out_ = volume < 0;
+  }
+
+  /// Does a loop run round a tunnel, and not round a limb? What encloses less than it leaves out is
+  /// taken for a surface of which the inside is out.
+  bool is_round_tunnel(const EdgeLoop& loop) const {
+    const double lean = inward_lean(surface_, loop);
+    return is_inside_out_ ? lean < 0 : lean > 0;
   }
 
   /// `width`: a part that is wider counts as wide. The width of a part is four times its volume
   /// over its area, as that of a long tube.
   LoopKind kind(const EdgeLoop& loop, double width) {
-    const bool is_round = is_round_tunnel(surface_, loop);
+    const bool is_round = is_round_tunnel(loop);
     if (!is_round && is_in_disc(loop))
       return LoopKind::limb;
     grow();
@@ -105,7 +127,13 @@ public:
 
 private:
   struct Shape {
-    double volume = 0, area = 0;
+    Vector<3> origin{};
+    double volume = 0, area = 0; // of the cones from the origin over the faces, and of the faces
+    Vector<3> doubled_area{};    // the sum of the vectors of the faces, zero without a boundary
+
+    double volume_about(const Vector<3>& p) const {
+      return volume - dot(p - origin, doubled_area) / 6;
+    }
     double width() const { return area > 0 ? 4 * std::abs(volume) / area : 0; }
   };
 
@@ -133,19 +161,20 @@ private:
           component_[HalfEdges::face(twin)] = component;
           seen.push_back(HalfEdges::face(twin));
         }
-    shapes_.push_back(shape_of(seen, Vector<3>{}));
+    shapes_.push_back(shape_of(seen, surface_.point(surface_.triangle(face)[0])));
     if (euler_number(seen) == 2) // no loop on a sphere is a handle
       mark_disc(seen);
   }
 
   Shape shape_of(const std::vector<Index>& faces, const Vector<3>& origin) const {
-    Shape shape;
+    Shape shape{origin};
     for (const Index face : faces) {
       const auto& [a, b, c] = surface_.triangle(face);
       const Vector<3> p = surface_.point(a);
       const Vector<3> normal = double_area_vector(p, surface_.point(b), surface_.point(c));
       shape.volume += dot(p - origin, normal) / 6;
       shape.area += std::sqrt(squared_length(normal)) / 2;
+      shape.doubled_area += normal;
     }
     return shape;
   }
@@ -205,8 +234,10 @@ private:
   void measure(const EdgeLoop& loop) {
     const std::vector<Index>& side = sides_[smaller_];
     const Shape& all = shapes_[component_[side.front()]];
-    small_ = shape_of(side, surface_.point(surface_.origin(loop.half_edges.front())));
-    rest_ = {all.volume - small_.volume, all.area - small_.area};
+    const Vector<3> p = surface_.point(surface_.origin(loop.half_edges.front()));
+    small_ = shape_of(side, p);
+    rest_ = {p, all.volume_about(p) - small_.volume, all.area - small_.area,
+             all.doubled_area - small_.doubled_area};
   }
 
   const HalfEdges& surface_;
@@ -221,7 +252,7 @@ private:
   std::array<std::size_t, 2> next_{};       // of these, to look around at
   std::size_t smaller_ = 0;
   Shape small_, rest_; // of its sides, at the last neck
-  bool have_met_ = false;
+  bool have_met_ = false, is_inside_out_ = false;
 };
 
 } // namespace quadrille::internal
