@@ -142,6 +142,7 @@ struct SoupOptions {
   std::optional<double> simplified_topology = {};
   std::optional<double> keep_planes = {};    ///< an area, see KeepPlanes
   std::optional<double> plane_flatness = {}; ///< see KeepPlanes, which it needs
+  std::optional<double> plane_outline = {};  ///< the same; by default `error`, if there is one
   std::optional<double> voxel_size = {};     ///< see VoxelSize
   /// See HeightField: the input is a height field along this axis, and the result is.
   std::optional<Axis> height_field = {};

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -155,6 +156,67 @@ void check_flats(const Shape& shape, const SoupResult& result) {
   }
 }
 
+// The segments around the faces that lie in a plane.
+using Segment = std::array<Position, 2>;
+std::vector<Segment> outline(const Flat& flat, const SoupPoints& points,
+                             const SoupTriangles& triangles, double rounding) {
+  std::map<std::array<std::uint32_t, 2>, int> sides;
+  for (const auto& t : triangles)
+    if (lies_in(flat, points, t, rounding))
+      for (std::size_t i = 0; i < 3; ++i)
+        ++sides[{(std::min)(t[i], t[(i + 1) % 3]), (std::max)(t[i], t[(i + 1) % 3])}];
+  std::vector<Segment> segments;
+  for (const auto& [ends, count] : sides)
+    if (count == 1)
+      segments.push_back({Position{points[ends[0]]}, Position{points[ends[1]]}});
+  return segments;
+}
+
+double distance(const Position& p, const Segment& s) {
+  const Position along = s[1] - s[0];
+  const double length = squared_length(along);
+  const double t = length > 0 ? std::clamp(dot(p - s[0], along) / length, 0., 1.) : 0;
+  return std::sqrt(squared_distance(p, s[0] + t * along));
+}
+
+struct Distances {
+  double greatest = 0, mean_square = 0;
+};
+// From points of some segments to the nearest of the others.
+Distances distances(const std::vector<Segment>& from, const std::vector<Segment>& to) {
+  Distances result;
+  double weight = 0;
+  for (const Segment& s : from) {
+    const double length = std::sqrt(squared_distance(s[0], s[1]));
+    const int steps = 1 + static_cast<int>(length / 0.01);
+    for (int i = 0; i <= steps; ++i) {
+      double least = INFINITY;
+      for (const Segment& other : to)
+        least = (std::min)(least, distance(s[0] + double(i) / steps * (s[1] - s[0]), other));
+      result.greatest = (std::max)(result.greatest, least);
+      result.mean_square += length / steps * least * least;
+      weight += length / steps;
+    }
+  }
+  result.mean_square /= weight;
+  return result;
+}
+// Both ways, between the outlines of an input and of a result.
+Distances outline_distances(const Shape& shape, const SoupResult& result) {
+  Distances both;
+  for (const Flat& flat : shape.flats) {
+    const auto before = outline(flat, arrays_of(shape.soup), shape.soup.triangles, shape.rounding);
+    const auto after = outline(flat, result.points, result.triangles, shape.rounding);
+    REQUIRE(!before.empty());
+    REQUIRE(!after.empty());
+    for (const Distances& d : {distances(before, after), distances(after, before)}) {
+      both.greatest = (std::max)(both.greatest, d.greatest);
+      both.mean_square = (std::max)(both.mean_square, d.mean_square);
+    }
+  }
+  return both;
+}
+
 SoupOptions options_to(std::size_t faces, double least_area = 0.05) {
   SoupOptions options;
   options.faces = faces;
@@ -205,6 +267,47 @@ TEST_CASE("plane regions stay flat with any cost, order and placement", "[planes
   options.order = SoupOptions::Order::relaxed;
   options.topology = Topology::free;
   check_flats(lakes(), simplified(lakes().soup, options));
+}
+
+TEST_CASE("outlines of plane regions stay near with any cost and placement", "[planes]") {
+  for (const Shape& shape : {lakes(), turned(house())})
+    for (const auto cost : {SoupOptions::Cost::quadric, SoupOptions::Cost::memoryless_quadric,
+                            SoupOptions::Cost::edge_length})
+      for (const auto placement :
+           {SoupOptions::Placement::optimal, SoupOptions::Placement::midpoint}) {
+        SoupOptions options = options_to(shape.soup.triangles.size() / 8, shape.least_area);
+        options.cost = cost;
+        if (cost != SoupOptions::Cost::edge_length)
+          options.placement = placement;
+        const SoupResult result = simplified(shape.soup, options);
+        CAPTURE(shape.name, static_cast<int>(cost), static_cast<int>(placement));
+        CHECK(std::sqrt(outline_distances(shape, result).mean_square) <= 0.004);
+      }
+}
+
+TEST_CASE("no outline of a plane region goes further than its limit", "[planes]") {
+  for (const Shape& shape : {lakes(), turned(cut_ball())})
+    for (const double limit : {0.01, 0.03})
+      for (const auto cost : {SoupOptions::Cost::quadric, SoupOptions::Cost::memoryless_quadric,
+                              SoupOptions::Cost::edge_length})
+        for (const auto order : {SoupOptions::Order::greedy, SoupOptions::Order::relaxed}) {
+          SoupOptions options = options_to(10, shape.least_area);
+          options.cost = cost;
+          options.order = order;
+          options.plane_outline = limit;
+          const SoupResult result = simplified(shape.soup, options);
+          CAPTURE(shape.name, limit, static_cast<int>(cost), static_cast<int>(order));
+          const double greatest = outline_distances(shape, result).greatest;
+          CHECK(greatest <= limit + 1e-12);
+          CHECK(greatest > limit / 4);
+        }
+  SoupOptions options = options_to(10, 0.01);
+  options.error = 0.05; // limits outlines, too
+  CHECK(outline_distances(lakes(), simplified(lakes().soup, options)).greatest <= 0.05 + 1e-12);
+  options.plane_outline = 0;
+  const Shape straight = turned(house());
+  CHECK(simplified(straight.soup, options).triangles.size() <
+        0.5 * double(straight.soup.triangles.size()));
 }
 
 TEST_CASE("plane regions stay flat with guards and limits of distances", "[planes]") {
@@ -314,12 +417,17 @@ TEST_CASE("planes need an area, and placements that do not look around", "[plane
                     Catch::Contains("area -1 is negative"));
   CHECK_THROWS_WITH(simplify(points, triangles, KeepPlanes{1, INFINITY}),
                     Catch::Contains("flatness inf is negative or not finite"));
+  CHECK_THROWS_WITH(simplify(points, triangles, KeepPlanes{1, {}, -1}),
+                    Catch::Contains("outline -1 is negative or not finite"));
   CHECK_THROWS_WITH(simplify(points, triangles, KeepPlanes{0.5}, VolumeKeeping<OptimalPlacement>{}),
                     Catch::Contains("KeepPlanes does not go with a placement that looks"));
   CHECK(points == arrays_of(box));
   SoupOptions options;
   options.plane_flatness = 1;
   CHECK_THROWS_WITH(simplified(box, options), Catch::Contains("plane_flatness needs keep_planes"));
+  options.plane_flatness.reset();
+  options.plane_outline = 1;
+  CHECK_THROWS_WITH(simplified(box, options), Catch::Contains("plane_outline needs keep_planes"));
 }
 
 TEST_CASE("a height field is one in the library without templates, or is rejected", "[planes]") {

@@ -128,7 +128,8 @@ inline std::optional<SoupPairs> pairs_of(const SoupOptions& options) {
 inline std::optional<KeepPlanes> keep_planes_of(const SoupOptions& options) {
   if (!options.keep_planes)
     return std::nullopt;
-  return KeepPlanes{*options.keep_planes, options.plane_flatness};
+  return KeepPlanes{*options.keep_planes, options.plane_flatness,
+                    options.plane_outline ? options.plane_outline : options.error};
 }
 
 inline std::optional<VoxelSize> voxel_size_of(const SoupOptions& options) {

@@ -80,6 +80,8 @@ void validate_call(const SoupView& soup, const SoupOptions& options) {
         .validate("channel " + std::to_string(i), soup.points.size(), soup.triangles.size());
   if (options.plane_flatness && !options.keep_planes)
     reject("plane_flatness needs keep_planes, an area");
+  if (options.plane_outline && !options.keep_planes)
+    reject("plane_outline needs keep_planes, an area");
   if (options.height_field)
     require_height_field(soup, *options.height_field);
   if (options.crease_degrees < 180 && options.cost != SoupOptions::Cost::quadric)

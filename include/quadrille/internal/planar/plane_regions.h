@@ -12,11 +12,13 @@
 #include <quadrille/quadric_form.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -128,6 +130,7 @@ public:
       place(placed);
     for (PlanesOfInput::Set& set : planes.sets)
       set.convert_lengths([this](double length) { return scale_.length_of_mesh(length); });
+    find_outlines();
     label();
   }
 
@@ -219,6 +222,35 @@ private:
     input_.moved.push_back(placed.vertex);
     for (std::size_t i = 0; i < 3; ++i)
       input_.positions[placed.vertex][i] = scale_.length_of_mesh(placed.place[i]);
+  }
+
+  // The edges of a face of a region that are not between two of its faces.
+  void find_outlines() {
+    if (placed_.empty())
+      return; // all faces have left their regions
+    struct Side {
+      std::array<Index, 2> ends;
+      Index region;
+    };
+    std::vector<Side> sides;
+    const auto is_in_plane = [&](Index v) { return input_.planes.set_of_vertex[v] != 0; };
+    for (Index face = 0; face < region_of_.size(); ++face)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& corners = input_.triangles[face];
+        const auto [low, high] = std::minmax({corners[i], corners[i == 2 ? 0 : i + 1]});
+        if (low != high && is_in_plane(low) && is_in_plane(high))
+          sides.push_back({{low, high}, region_of_[face]});
+      }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+      return std::tie(a.ends, a.region) < std::tie(b.ends, b.region);
+    });
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+      while (end < sides.size() && sides[end].ends == sides[begin].ends)
+        ++end;
+      if (sides[begin].region != sides[end - 1].region ||
+          (end == begin + 1 && sides[begin].region != none))
+        input_.planes.outlines.push_back(sides[begin].ends);
+    }
   }
 
   // Faces of different regions get different labels, in addition to those of the user.

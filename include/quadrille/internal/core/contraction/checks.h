@@ -49,7 +49,8 @@ public:
     if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
       return Rejection::position;
     if (!state_.planes.empty()) [[unlikely]]
-      if (state_.planes.of_pair(a, b) == none || state_.planes.flatten(star, a, b))
+      if (state_.planes.of_pair(a, b) == none ||
+          state_.planes.flatten(star, a, b, state_.geometry, state_.scale))
         return Rejection::constraint;
     if (state_.is_topology_kept &&
         !state_.link_condition.holds(star, a, b, contraction.scratch().labels))
@@ -84,7 +85,9 @@ private:
   // Why a filter rejects a target, if one does.
   std::optional<Rejection> rejection(const Contraction& contraction, const Position& target) const {
     if (!state_.planes.empty()) [[unlikely]]
-      if (!state_.planes.admit(contraction.first(), contraction.second(), target, state_.scale))
+      if (const Index a = contraction.first(), b = contraction.second();
+          !state_.planes.admit(a, b, target, state_.scale) ||
+          !state_.outlines.admit(a, b, space(target)))
         return Rejection::constraint;
     const ContractionView<dimension> view(
         contraction.star(), state_.complex, state_.geometry.positions().data(),

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace quadrille::internal {
@@ -119,6 +120,8 @@ public:
   QUADRILLE_ALWAYS_INLINE void set_cost(Candidate& candidate) const {
     candidate.cost = policies().cost(candidate.pair, candidate.target);
     candidate.key = key(candidate.pair, candidate.target, candidate.cost);
+    if (!state_.outlines.empty()) [[unlikely]]
+      candidate.key += outline_cost(candidate.first, candidate.second, candidate.target);
     double squared = squared_error(policies().cost, candidate.pair, candidate.cost);
     if constexpr (counts_channels)
       squared *= state_.channels().error_factor(candidate.pair, candidate.first, candidate.second);
@@ -173,7 +176,10 @@ public:
     const auto [a, b] = std::minmax(p.first, p.second);
     const Pair pair = view(a, b);
     const Position x = target(a, b, pair);
-    return as_key(key(pair, x, policies().cost(pair, x)));
+    double cost = key(pair, x, policies().cost(pair, x));
+    if (!state_.outlines.empty()) [[unlikely]]
+      cost += outline_cost(a, b, x);
+    return as_key(cost);
   }
   static float as_key(double cost) {
     if constexpr (rise_of_estimate<Placement> != 1)
@@ -270,7 +276,54 @@ private:
   QUADRILLE_NOINLINE Position target_in_planes(const Pair& pair, Index a, Index b) const {
     Position x = placed(pair, a, b);
     state_.planes.move(x, a, b, pair.first, pair.second);
-    return x;
+    const bool is_on_outlines = state_.outlines.empty() || !(outline_cost(a, b, x) > 0);
+    return is_on_outlines ? x : next_to_outlines(x, pair, a, b);
+  }
+
+  // Returns the cheapest of a target in its planes and of targets nearer to the outlines, with
+  // their cost. An end stays an end.
+  Position next_to_outlines(const Position& x, const Pair& pair, Index a, Index b) const {
+    const auto cost = [&](const Position& p) {
+      return policies().cost(pair, p) + tie_break(policies().cost, pair, p) + outline_cost(a, b, p);
+    };
+    Position best = x;
+    double least = cost(x);
+    const auto look_at = [&](const Position& p) {
+      if (!state_.planes.admit(a, b, p, state_.scale))
+        return HUGE_VAL;
+      const double value = cost(p);
+      if (value < least)
+        best = p, least = value;
+      return value;
+    };
+    if (x == pair.first || x == pair.second) {
+      look_at(x == pair.first ? pair.second : pair.first);
+      return best;
+    }
+    const std::optional<Vector<3>> nearest = state_.outlines.nearest(a, b, space(x));
+    if (!nearest)
+      return best;
+    const auto between = [&](double t) {
+      Position p = x;
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] += t * ((*nearest)[i] - x[i]);
+      state_.planes.move(p, a, b, pair.first, pair.second);
+      return p;
+    };
+    const double here = least, there = look_at(between(1)), middle = look_at(between(0.5));
+    const double bend = here - 2 * middle + there; // of the parabola through these
+    if (bend > 0 && bend < HUGE_VAL)
+      look_at(between(std::clamp((3 * here - 4 * middle + there) / (4 * bend), 0.0, 1.0)));
+    return best;
+  }
+
+  // The cost of leaving the outlines of plane regions, if the degree of the cost is known.
+  QUADRILLE_NOINLINE double outline_cost([[maybe_unused]] Index a, [[maybe_unused]] Index b,
+                                         [[maybe_unused]] const Position& x) const {
+    if constexpr (is_scale_free<Cost> && CountsDegree<Cost>)
+      return state_.outlines.cost(a, b, space(x), static_cast<double>(policies().cost.degree()));
+    else
+      return 0;
   }
 
   QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair, Index a, Index b) const {

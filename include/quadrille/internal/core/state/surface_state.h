@@ -25,6 +25,7 @@
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/geometry.h>
+#include <quadrille/internal/core/surface/kept_outlines.h>
 #include <quadrille/internal/core/surface/kept_planes.h>
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/core/surface/scale.h>
@@ -165,6 +166,7 @@ struct SurfaceState {
                  policies.threads),
         shared(std::move(input.is_shared), std::move(input.boundaries), numbering),
         planes(input.planes, scale, complex.arena()),
+        outlines(input.planes, geometry.positions(), scale, complex.arena()),
         moved(geometry, input.moved, complex.arena()), states(complex.arena()),
         importance(relative_importances(input.importances)),
         appearance(policies, complex, geometry, states) {
@@ -223,6 +225,7 @@ struct SurfaceState {
     link_condition.merge(event.kept, event.gone);
     appearance.seams().merge(event.kept, event.gone);
     planes.merge(event.kept, event.gone);
+    outlines.contract(event);
     importance.merge(event.kept, event.gone);
   }
 
@@ -242,8 +245,8 @@ struct SurfaceState {
   /// The members with vertex arrays, to be packed, prefetched and counted: see vertex_arrays.h.
   static auto array_owners(auto& self) {
     return std::tie(self.appearance.channels(), self.appearance.seams(), self.numbering, self.moved,
-                    self.states, self.geometry, self.shared, self.planes, self.link_condition, self.importance,
-                    self.components);
+                    self.states, self.geometry, self.shared, self.planes, self.outlines,
+                    self.link_condition, self.importance, self.components);
   }
 
   const Policies& policies;
@@ -257,7 +260,8 @@ struct SurfaceState {
   Numbering numbering;
   Geometry<dimension> geometry;
   SharedVertices shared;
-  KeptPlanes planes; // mostly none
+  KeptPlanes planes;     // mostly none
+  KeptOutlines outlines; // of their regions
   MovedVertices<dimension> moved;
   Components<dimension> components; // none before they are measured
   InputComponents input_components; // none where topology is kept

@@ -4,6 +4,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/quadric_form.h>
 
@@ -42,6 +43,7 @@ public:
       add(plane);
   }
 
+  const std::vector<RegionPlane>& planes() const { return planes_; }
   /// How many of the planes are independent: 1 for a plane, 2 for a line, 3 for a point.
   std::size_t rank() const { return rank_; }
 
@@ -120,6 +122,9 @@ struct PlanesOfInput {
   std::vector<Set> sets;            ///< the first of them has no plane
   std::vector<Index> set_of_vertex; ///< empty if there are no planes
   std::size_t regions = 0;          ///< how many regions there are
+  /// The edges between a region and other faces, or none; by the ends' places in the positions.
+  std::vector<std::array<Index, 2>> outlines;
+  std::optional<double> outline_limit; ///< how far outlines may go from those of the input
 };
 
 /// The planes in which the vertices of a surface stay: see KeepPlanes. A contraction of two
@@ -167,27 +172,30 @@ public:
   template <std::size_t N>
   bool admit(Index v, Index w, const Vector<N>& target, const Scale<N>& scale) const {
     const Index set = of_pair(v, w);
-    if (set == none)
-      return false;
-    const Vector<3> x = space(target);
-    const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
-    return sets_[set].points.distance(x) <=
-           (std::max)(8 * scale.rounding(size), 2 * sets_[set].slack);
+    return set != none &&
+           sets_[set].points.distance(space(target)) <= tolerance(set, space(target), scale);
   }
 
   /// Would a contraction lay a face into a plane in which it is not yet? Such a face would look
-  /// like a part of the region there. Only faces of the end of fewer planes can be laid flat.
-  bool flatten(const PairStar& star, Index v, Index w) const {
-    const Index all = of_pair(v, w), some = set_of_[v] == all ? set_of_[w] : set_of_[v];
-    if (all == some)
+  /// like a part of the region there. Only faces of the end of fewer planes can be laid flat. Their
+  /// other corners may be at another region in the same plane, or at none.
+  template <std::size_t N>
+  bool flatten(const PairStar& star, Index v, Index w, const Geometry<N>& geometry,
+               const Scale<N>& scale) const {
+    const Index all = of_pair(v, w);
+    if (set_of_[v] == set_of_[w])
       return false;
-    const AppendBuffer<StarFace>& faces = set_of_[v] == all ? star.second : star.first;
-    return std::any_of(faces.begin(), faces.end(), [&](const StarFace& f) {
-      const std::vector<Index>& regions = sets_[all].regions;
-      return std::any_of(regions.begin(), regions.end(), [&](Index region) {
-        return !has(some, region) && has(set_of_[f.second], region) &&
-               has(set_of_[f.third], region);
-      });
+    const bool is_first = set_of_[v] == all;
+    const AppendBuffer<StarFace>& faces = is_first ? star.second : star.first;
+    const auto& planes = sets_[all].points.planes();
+    return std::any_of(planes.begin(), planes.end(), [&](const RegionPlane& plane) {
+      const auto has = [&](Index vertex) {
+        const Vector<3> x = space(geometry.position(vertex));
+        return std::abs(plane.height(x)) <= (plane.axis ? 0 : tolerance(all, x, scale));
+      };
+      return !has(is_first ? w : v) &&
+             std::any_of(faces.begin(), faces.end(),
+                         [&](const StarFace& f) { return has(f.second) && has(f.third); });
     });
   }
 
@@ -200,9 +208,11 @@ public:
   static auto vertex_arrays(auto& self) { return std::tie(self.set_of_); }
 
 private:
-  bool has(Index set, Index region) const {
-    const std::vector<Index>& regions = sets_[set].regions;
-    return std::binary_search(regions.begin(), regions.end(), region);
+  // How far a point may be from the planes of a set.
+  template <std::size_t N>
+  double tolerance(Index set, const Vector<3>& x, const Scale<N>& scale) const {
+    const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
+    return (std::max)(8 * scale.rounding(size), 2 * sets_[set].slack);
   }
   bool includes(Index set, Index other) const {
     if (set == other || sets_[other].regions.empty())
