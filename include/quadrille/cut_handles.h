@@ -31,15 +31,15 @@ struct HandleChanges {
   std::size_t cut_handles = 0; ///< the handles and tunnels that were cut; each is one genus less
   std::size_t split_components = 0; ///< the tunnels between two walls, which have come apart
   /// The points from which each added point comes, in the order of the added points: twice the one
-  /// that it is a copy of, or two, in the middle of which it lies. They may be added points
-  /// themselves, but earlier ones.
+  /// that it is a copy of, a sixteenth of an edge aside, or two, in the middle of which it lies.
+  /// They may be added points themselves, but earlier ones.
   std::vector<std::array<std::size_t, 2>> origins;
   /// For each triangle of the result, the triangle of the input that it is, or is next to.
   std::vector<std::size_t> triangles;
   /// For each added triangle, one that was there before and has its first edge, by its index in the
   /// result.
   std::vector<std::size_t> neighbors;
-  /// No point of the added triangles is further than this from the input, in the unit of the
+  /// No point of the triangles at cuts is further than this from the input, in the unit of the
   /// points. Every point of the input is still there.
   double distance = 0;
 };
@@ -54,19 +54,15 @@ inline double valid_size(double size) {
   return size;
 }
 
-/// How far the triangles that close cuts are from the input. A point of a fan is at most as far
+/// How far the triangles at cuts are from the input at most. A point of a fan is at most as far
 /// from the edge of its triangle as the vertex in the middle; a point of a single triangle is as
-/// far from the nearest edge as its incentre, at most. An edge that ends at the middle of an
-/// earlier fan is as far from the input as that.
+/// far from the nearest edge as its incentre, at most. An edge is as far as the further of its
+/// ends: a middle of an earlier fan, or a copy that lies aside.
 class CapDistances {
 public:
   explicit CapDistances(const HandleCuts& cuts)
-      : surface_(cuts.surface()), first_added_(surface_.vertices() - cuts.added.size()) {
-    for (std::size_t i = 0; i < cuts.added.size(); ++i) {
-      const auto [a, b] = cuts.added[i];
-      middles_.push_back(a != b ? i : middle_of(a));
-    }
-    distances_.resize(cuts.added.size(), 0);
+      : surface_(cuts.surface()), added_(cuts.added),
+        first_added_(surface_.vertices() - cuts.added.size()), of_middle_(cuts.added.size(), 0) {
     for (std::size_t i = 0; i < cuts.like.size(); ++i)
       add(surface_.triangle(static_cast<Index>(surface_.faces() - cuts.like.size() + i)));
   }
@@ -74,28 +70,29 @@ public:
   double greatest() const { return greatest_; }
 
 private:
-  static constexpr auto no_middle = static_cast<std::size_t>(-1);
-
-  // The vertex in the middle of a fan of which one is a copy.
-  std::size_t middle_of(Index v) const {
-    return v < first_added_ ? no_middle : middles_[v - first_added_];
+  bool is_middle(Index v) const {
+    return v >= first_added_ && added_[v - first_added_][0] != added_[v - first_added_][1];
   }
   double distance_of(Index v) const {
-    const std::size_t middle = middle_of(v);
-    return middle == no_middle ? 0 : distances_[middle];
+    if (v < first_added_)
+      return 0;
+    if (is_middle(v))
+      return of_middle_[v - first_added_];
+    const Index original = added_[v - first_added_].front();
+    return distance_of(original) +
+           std::sqrt(squared_distance(surface_.point(v), surface_.point(original)));
   }
 
   void add(const HalfEdges::Triangle& t) {
     const Vector<3>&a = surface_.point(t[0]), &b = surface_.point(t[1]), &c = surface_.point(t[2]);
-    const std::size_t middle = middle_of(t[2]);
-    const double of_edge = (std::max)(distance_of(t[0]), distance_of(t[1]));
-    double distance = of_edge;
-    if (middle == no_middle)
-      distance += inner_radius(a, b, c);
-    else
+    double distance = (std::max)(distance_of(t[0]), distance_of(t[1]));
+    if (is_middle(t[2])) {
       distance += std::sqrt(squared_distance_to_segment(c, a, b));
-    if (middle != no_middle)
-      distances_[middle] = (std::max)(distances_[middle], distance);
+      double& of_middle = of_middle_[t[2] - first_added_];
+      of_middle = (std::max)(of_middle, distance);
+    } else {
+      distance = (std::max)(distance, distance_of(t[2])) + inner_radius(a, b, c);
+    }
     greatest_ = (std::max)(greatest_, distance);
   }
 
@@ -106,9 +103,9 @@ private:
   }
 
   const HalfEdges& surface_;
+  const std::vector<std::array<Index, 2>>& added_;
   std::size_t first_added_;
-  std::vector<std::size_t> middles_; // of the added vertices, as those that are in the middle
-  std::vector<double> distances_;    // of the added vertices in the middle, from the input
+  std::vector<double> of_middle_; // of the added vertices that are in the middle
   double greatest_ = 0;
 };
 
@@ -178,10 +175,9 @@ HandleChanges cut_handles(Points& points, Triangles& triangles, double size,
                                   internal::threads_of(function, threads));
   HandleChanges changes = internal::changes_of(cuts, surface.triangles.size());
   Points new_points(points);
-  for (const auto& [a, b] : changes.origins)
-    new_points.push_back(a == b ? Point(new_points[a])
-                                : internal::point_at<Point>(cuts.surface().point(
-                                      static_cast<internal::Index>(new_points.size()))));
+  while (new_points.size() < cuts.surface().vertices())
+    new_points.push_back(internal::point_at<Point>(
+        cuts.surface().point(static_cast<internal::Index>(new_points.size()))));
   auto new_triangles = internal::empty_like(triangles);
   for (std::size_t face = 0; face < changes.triangles.size(); ++face)
     new_triangles.push_back(

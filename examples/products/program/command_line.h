@@ -190,7 +190,7 @@ inline void require_consistency(const Options& options) {
             "--cut-handles does not go with --topology free or --pairs: it keeps the rest of "
             "the topology");
   reject_if(options.cuts_handles() && soup.keep_solid,
-            "--cut-handles does not go with --solid: both sides of a cut touch, which a solid does "
+            "--cut-handles does not go with --solid: both sides of a cut may touch, which a solid does "
             "not");
   reject_if(options.soup.manifold && topology(options) == quadrille::Topology::free,
             "--manifold does not go with --topology free or --pairs: these make edges of more than "

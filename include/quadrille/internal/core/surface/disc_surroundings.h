@@ -52,9 +52,9 @@ public:
     std::size_t twice_edges = 0, thrice_faces = 0;
     for (std::size_t i = 0; i < reached_.size(); ++i) {
       const std::span<const Index> ring = rings_.ring(reached_[i]);
-      bool was_here = reach(ring.back());
+      bool was_here = visit(ring.back());
       for (const Index v : ring) {
-        const bool is_here = reach(v);
+        const bool is_here = visit(v);
         twice_edges += is_here;
         thrice_faces += is_here && was_here;
         was_here = is_here;
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  bool reach(Index v) {
+  bool visit(Index v) {
     if (state_[v] < now_ - 1) {
       const bool is_here = surface_.is_inside(v) && is_within(v, radius_);
       state_[v] = is_here ? now_ : now_ - 1;

@@ -65,7 +65,7 @@ public:
   /// face from each edge to a new vertex in the middle between two of the loop. The faces on the
   /// left keep the vertices. Calls add_vertex(a, b) for each vertex that is added in the middle
   /// between two earlier ones, which are one for a copy, and add_face(like) for each face, with the
-  /// one next to it.
+  /// one next to it. Copies lie a little to the right of the loop.
   template <class AddVertex, class AddFace>
   void cut(const std::vector<Index>& loop, AddVertex add_vertex, AddFace add_face) {
     std::vector<Index> left, right, right_sides; // vertices, and twins of the loop
@@ -83,6 +83,7 @@ public:
       out_[left[i]] = loop[i];
       out_[right[i]] = corners[i].front();
     }
+    move_aside(right, corners);
     std::reverse(left.begin(), left.end()); // as the new faces run
     std::vector<Index> left_sides(loop.rbegin(), loop.rend());
     std::rotate(left_sides.begin(), left_sides.begin() + 1, left_sides.end());
@@ -180,6 +181,30 @@ private:
   }
   float measured(Index h) const {
     return static_cast<float>(std::sqrt(squared_length(points_[target(h)] - points_[origin(h)])));
+  }
+
+  // Moves vertices a sixteenth of the way to the middle of their neighbours that are none of them,
+  // so that what closes the other side lies apart. `corners`: those of each vertex.
+  void move_aside(const std::vector<Index>& moved, const std::vector<std::vector<Index>>& corners) {
+    std::vector<Vector<3>> places;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      Vector<3> middle{};
+      double count = 0;
+      for (const Index h : corners[i])
+        for (const Index v : {target(h), origin(previous(h))})
+          if (std::find(moved.begin(), moved.end(), v) == moved.end()) {
+            middle += points_[v];
+            ++count;
+          }
+      const Vector<3>& place = points_[moved[i]];
+      places.push_back(count > 0 ? place + 1. / 16 * (1 / count * middle - place) : place);
+    }
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      points_[moved[i]] = places[i];
+    for (const std::vector<Index>& of_vertex : corners)
+      for (const Index corner : of_vertex)
+        for (Index h = 3 * face(corner); h < 3 * face(corner) + 3; ++h)
+          length_[h] = measured(h);
   }
 
   // The corners at a vertex from the face of a half-edge that leaves it to that of one that comes.
