@@ -79,8 +79,8 @@ public:
     report.joined_gaps = gaps_.joined_gaps;
     report.open_gaps = gaps_.open_gaps;
     report.cut_distance = handles_.distance;
-    report.split_vertices = sheets_.split_vertices;
-    report.split_edges = sheets_.split_edges;
+    report.split_vertices = splits_.split_vertices;
+    report.split_edges = splits_.split_edges;
     result.prepared = {std::move(points_), std::move(triangles_), std::move(roots_),
                        result.vertex_map};
     result.vertex_map.resize(soup_.points.size());
@@ -104,10 +104,10 @@ private:
   void make_sheets() {
     const SoupTriangles before = triangles_;
     const std::size_t points_before = points_.size();
-    sheets_ = make_manifold(points_, triangles_);
+    splits_ = make_manifold(points_, triangles_);
     for (PreparedChannel& channel : channels_)
-      channel.follow(sheets_, points_before, before, triangles_);
-    follow(sheets_);
+      channel.follow(splits_, points_before, before, triangles_);
+    follow(splits_);
   }
 
   void join() {
@@ -170,7 +170,7 @@ private:
   SoupOptions options_;
   SoupPoints points_;
   SoupTriangles triangles_;
-  ManifoldChanges sheets_;
+  ManifoldChanges splits_;
   GapChanges gaps_;
   HandleChanges handles_;
   std::vector<std::uint32_t> roots_; // of added points
