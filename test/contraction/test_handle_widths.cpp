@@ -401,17 +401,26 @@ void require_closed_manifold(const Soup& soup) {
   CHECK(!topology.has_collapsed_faces);
 }
 
-/// Cuts a surface, of which no point may move, and no triangle change its place.
+double distance(const Position& a, const Position& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Cuts a surface, of which no point may move, and no corner of a triangle further than to a copy.
 Soup cut(const Soup& input, double size) {
   Soup soup = input;
   quadrille::cut_handles(soup.points, soup.triangles, size);
   require_closed_manifold(soup);
   REQUIRE(soup.triangles.size() >= input.triangles.size());
-  bool is_in_place = std::equal(input.points.begin(), input.points.end(), soup.points.begin());
+  CHECK(std::equal(input.points.begin(), input.points.end(), soup.points.begin()));
+  double longest_edge = 0, farthest = 0;
   for (std::size_t face = 0; face < input.triangles.size(); ++face)
-    for (std::size_t i = 0; i < 3; ++i)
-      is_in_place &= soup.points[soup.triangles[face][i]] == input.points[input.triangles[face][i]];
-  CHECK(is_in_place);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Position& corner = input.points[input.triangles[face][i]];
+      longest_edge = (std::max)(
+          longest_edge, distance(corner, input.points[input.triangles[face][(i + 1) % 3]]));
+      farthest = (std::max)(farthest, distance(corner, soup.points[soup.triangles[face][i]]));
+    }
+  CHECK(farthest <= longest_edge / 16 * (1 + 1e-9));
   return soup;
 }
 

@@ -183,24 +183,28 @@ private:
     return static_cast<float>(std::sqrt(squared_length(points_[target(h)] - points_[origin(h)])));
   }
 
-  // Moves vertices a sixteenth of the way to the middle of their neighbours that are none of them,
-  // so that what closes the other side lies apart. `corners`: those of each vertex.
-  void move_aside(const std::vector<Index>& moved, const std::vector<std::vector<Index>>& corners) {
-    std::vector<Vector<3>> places;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      Vector<3> middle{};
+  // Moves the vertices of a loop a sixteenth of the way to the middle of their neighbours that are
+  // not in it, so that what closes the other side lies apart; one without such, as those before and
+  // after it. `corners`: those of each vertex.
+  void move_aside(const std::vector<Index>& loop, const std::vector<std::vector<Index>>& corners) {
+    const std::size_t n = loop.size();
+    std::vector<Vector<3>> moves(n);
+    std::vector<bool> has_neighbor(n, false);
+    for (std::size_t i = 0; i < n; ++i) {
       double count = 0;
       for (const Index h : corners[i])
         for (const Index v : {target(h), origin(previous(h))})
-          if (std::find(moved.begin(), moved.end(), v) == moved.end()) {
-            middle += points_[v];
+          if (std::find(loop.begin(), loop.end(), v) == loop.end()) {
+            moves[i] += points_[v] - points_[loop[i]];
             ++count;
           }
-      const Vector<3>& place = points_[moved[i]];
-      places.push_back(count > 0 ? place + 1. / 16 * (1 / count * middle - place) : place);
+      has_neighbor[i] = count > 0;
+      if (count > 0)
+        moves[i] = 1 / (16 * count) * moves[i];
     }
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      points_[moved[i]] = places[i];
+    for (std::size_t i = 0; i < n; ++i)
+      points_[loop[i]] +=
+          has_neighbor[i] ? moves[i] : 0.5 * (moves[(i + n - 1) % n] + moves[(i + 1) % n]);
     for (const std::vector<Index>& of_vertex : corners)
       for (const Index corner : of_vertex)
         for (Index h = 3 * face(corner); h < 3 * face(corner) + 3; ++h)
