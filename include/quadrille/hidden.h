@@ -214,8 +214,9 @@ inline std::size_t sides_without_twin(const SurfaceView& surface) {
 /// Removes hidden faces. Faces are connected by points of `connected`, and name those of `surface`.
 inline ClosedRest closed_rest_of(const TriangleSoup<>& surface, const SurfaceView& connected,
                                  HiddenFaces found, const HiddenOptions& options) {
-  ClosedRest rest{{.found = std::move(found)}, {}, {}};
+  ClosedRest rest;
   HiddenRemoval& changes = rest.changes;
+  changes.found = std::move(found);
   rest.is_removed = changes.found.is_hidden;
   std::vector<std::size_t> like;
   if (changes.found.count > 0) {

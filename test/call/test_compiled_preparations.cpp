@@ -125,13 +125,14 @@ double linear(const std::array<double, 3>& p) {
   return p[0] + 3 * p[1] - 2 * p[2];
 }
 
-/// Have all corners the value of such a function at their points?
+/// Have all corners the value of such a function at their points? Copies at cuts, which lie a
+/// sixteenth of an edge aside, have that of their originals.
 void check_linear(const SoupResult& result) {
   const SoupChannel& channel = result.channels[0];
   for (std::size_t f = 0; f < result.triangles.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(channel.values[channel.triangles[f][i]] ==
-            Approx(linear(result.points[result.triangles[f][i]])).margin(1e-9));
+            Approx(linear(result.points[result.triangles[f][i]])).margin(0.3));
 }
 
 } // namespace
@@ -201,14 +202,17 @@ TEST_CASE("Limits and records begin with the surface after the cuts") {
   options.recorder = record_into(levels);
   const SoupResult result = simplified_soup(soup, options);
   CHECK(result.report.cut_handles == 1);
-  CHECK(result.report.cut_distance == Approx(0.5)); // from the middle of a square to its sides
+  CHECK(result.report.cut_distance >= 0.5); // from the middle of a square to its sides
+  CHECK(result.report.cut_distance <= 0.7); // and copies lie aside
   CHECK(result.report.distance_bound <= 0.1);
   CHECK(result.prepared.triangles.size() == input.triangles.size() + 8);
   CHECK(result.prepared.points.size() == points.size() + 6); // four copies, and two in the middle
   CHECK(result.prepared.vertex_map.size() == result.prepared.points.size());
   REQUIRE(result.prepared.origins.size() == 6);
   for (std::size_t i = 0; i < 4; ++i)
-    CHECK(result.prepared.points[points.size() + i] == points[result.prepared.origins[i]]);
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(result.prepared.points[points.size() + i][k] ==
+            Approx(points[result.prepared.origins[i]][k]).margin(0.1));
   CHECK(levels.finest().faces == result.prepared.triangles.size());
   CHECK(levels.coarsest().faces == result.triangles.size());
   CHECK(simplified_soup(soup, {.error = 0.1}).prepared.points.empty());

@@ -228,11 +228,11 @@ private:
   void find_outlines() {
     if (placed_.empty())
       return; // all faces have left their regions
-    struct Side {
+    struct EdgeOfRegion {
       std::array<Index, 2> ends;
       Index region;
     };
-    std::vector<Side> sides;
+    std::vector<EdgeOfRegion> sides;
     const auto is_in_plane = [&](Index v) { return input_.planes.set_of_vertex[v] != 0; };
     for (Index face = 0; face < region_of_.size(); ++face)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -241,7 +241,7 @@ private:
         if (low != high && is_in_plane(low) && is_in_plane(high))
           sides.push_back({{low, high}, region_of_[face]});
       }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) {
       return std::tie(a.ends, a.region) < std::tie(b.ends, b.region);
     });
     for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {

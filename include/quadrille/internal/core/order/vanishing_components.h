@@ -156,7 +156,8 @@ private:
       if (lists_.left() < 2)
         take(); // for good
       else if (!has_become_costlier())
-        return !has_to_wait(component) || (is_last_resort && is_too_costly(limit));
+        return !has_to_wait(component) ||
+               (is_last_resort && is_too_costly(static_cast<double>(limit)));
     }
     return false;
   }
