@@ -40,7 +40,7 @@ public:
     validate();
     std::iota(sources_.begin(), sources_.end(), std::size_t{0});
     if (options.manifold)
-      make_manifold_here();
+      split();
     if (options.join_gaps)
       join();
     if (options.simplified_topology)
@@ -101,7 +101,7 @@ private:
               "keep_solid: both sides of a cut touch, which a solid does not");
   }
 
-  void make_manifold_here() {
+  void split() {
     const SoupTriangles before = triangles_;
     const std::size_t points_before = points_.size();
     splits_ = make_manifold(points_, triangles_);
