@@ -1717,12 +1717,12 @@ for in in plate.obj plate.glb; do
 done
 run 0 plate.glb out.obj --faces 200 --cut-handles 1.5
 grep -q '^usemtl second' out.obj || fail "a material is gone"
-run 0 plate.obj out.off --faces 200 --cut-handles 1.5 --record record.qlv
-run 0 out2.off --from record.qlv --keep 100%
+run 0 plate.obj out.off --faces 200 --cut-handles 1.5 --record plate.qlv
+run 0 out2.off --from plate.qlv --keep 100%
 whole=$(sed -n 2p out2.off | cut -d' ' -f2)
 [ "$whole" -eq $(($(grep -c '^f' plate.obj) * 2 + 8)) ] || fail "the record begins with $whole faces"
 run 2 plate.obj out.off --cut-handles 1.5 --solid
-expect stderr '^--cut-handles does not go with --solid: both sides of a cut touch, which a solid does not$'
+expect stderr '^--cut-handles does not go with --solid: both sides of a cut may touch, which a solid does not$'
 for asked in --manifold '--preset generated' '--cut-handles 1'; do
   run 2 whole.ply out.ply --out-of-core scratch $asked
   expect stderr "^${asked%% *}: does not go with --out-of-core: .*simplify out of core to what fits into memory first, and then OUT with ${asked%% *}"
