@@ -405,7 +405,10 @@ TEST_CASE("What is wrong with a soup is told by its name") {
   SoupView view = view_of(torn);
   view.labels = view.labels.first(4);
   refused(view, options, "labels has 4 values for");
-  SoupOptions wrong = options_of(SoupOptions::Cost::memoryless_quadric);
+  SoupOptions wrong = options;
+  wrong.threads = 2;
+  refused(view_of(torn), wrong, "relaxed order");
+  wrong = options_of(SoupOptions::Cost::memoryless_quadric);
   wrong.crease_degrees = 20;
   refused(view_of(torn), wrong, "crease_degrees needs the cost quadric");
 }

@@ -524,6 +524,7 @@ class Errors(unittest.TestCase):
         self.refused("^no_self_intersection=True needs order='greedy'", no_self_intersection=True, order="relaxed")
         self.refused("0 degrees are not in", normal_deviation=0)
         self.refused("keep_solid keeps the topology", keep_solid=True, topology="free")
+        self.refused("^more than one thread needs order='relaxed' or simplified_topology", threads=2)
         self.refused("0 threads are not from 1 to 1024", threads=0, order="relaxed")
         self.refused("^crease_degrees needs cost='quadric'", cost="edge_length", crease_degrees=20)
         self.refused("^weighting is 'by_hand', not one of by_area", weighting="by_hand")

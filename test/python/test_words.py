@@ -128,7 +128,7 @@ class Messages(unittest.TestCase):
         of_points = np.zeros((len(points), 2))
         for options in (
                 dict(ratio=10), dict(ratio=-0.5), dict(error=-1), dict(relative_error=-1), dict(error=-1, both_ways=True),
-                dict(threads=0, order="relaxed"), dict(threads=2000, order="relaxed"),
+                dict(threads=4), dict(threads=0, order="relaxed"), dict(threads=2000, order="relaxed"),
                 dict(share=0, order="relaxed"), dict(share=2, order="relaxed"), dict(pairs_closer_than=5),
                 dict(pairs_closer_than=-1), dict(no_self_intersection=True, order="relaxed"),
                 dict(keep_solid=True, topology="free"), dict(keep_solid=True, order="relaxed"),

@@ -72,7 +72,8 @@ std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& na
 quadrille::SoupOptions soup_options(const Options& options) {
   quadrille::SoupOptions result = options.soup;
   options.target.tell(result);
-  result.threads = options.threads;
+  if (options.is_relaxed() || options.cuts_handles() || options.soup.preset)
+    result.threads = options.threads;
   const bool is_asked = options.soup.topology || options.drops_components ||
                         options.keeps_components || options.joins_pairs();
   if (!options.soup.preset || is_asked)

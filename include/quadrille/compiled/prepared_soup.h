@@ -55,6 +55,8 @@ public:
     options_.manifold = false;
     options_.join_gaps.reset();
     options_.simplified_topology.reset();
+    if (options_.order != SoupOptions::Order::relaxed)
+      options_.threads = 1; // only the search for loops shared them
   }
 
   /// A view of this object's arrays.

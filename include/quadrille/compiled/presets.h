@@ -82,6 +82,8 @@ inline SoupOptions with_preset(const SoupOptions& given, const SoupView& soup) {
   }
   if (edge == 0)
     options.voxel_size = given.voxel_size;
+  if (options.order != SoupOptions::Order::relaxed && !options.simplified_topology)
+    options.threads = 1;
   options.preset.reset();
   return options;
 }

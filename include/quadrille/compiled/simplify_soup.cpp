@@ -90,6 +90,9 @@ void validate_call(const SoupView& soup, const SoupOptions& options) {
        options.normal_noise != 0 || options.position_noise != 0) &&
       options.cost != SoupOptions::Cost::quadric)
     reject("weighting, line_weight, normal_noise and position_noise need the cost quadric");
+  if (options.threads > 1 && options.order != SoupOptions::Order::relaxed &&
+      !options.simplified_topology)
+    reject("more than one thread needs the relaxed order or simplified_topology");
 }
 
 Report simplify_by_cost_of_options(SoupRun& run) {
